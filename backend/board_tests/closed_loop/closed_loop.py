@@ -16,6 +16,7 @@ from epf_gcs.simulator.simulation import Simulation, SimulationOptions
 from epf_gcs.simulator.state import FlightState
 from epf_gcs.xplane.datagram import Surfaces, parse, surfaces_datagram
 from epf_gcs.xplane.gather import Gatherer
+from epf_gcs.xplane.mapping import XplaneInfo
 
 LIBRARY: Final = Path(__file__).resolve().parents[3] / "firmware" / "build" / "posix" / "libepf-flight.so"
 
@@ -41,6 +42,7 @@ class Firmware:
             ctypes.c_char_p,
             ctypes.c_size_t,
         )
+        library.epf_flight_advance.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
         library.epf_flight_send_streams.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
         library.epf_flight_lost_bytes.restype = ctypes.c_size_t
         library.epf_flight_lost_bytes.argtypes = (ctypes.c_void_p,)
@@ -57,6 +59,10 @@ class Firmware:
         size = self._library.epf_flight_feed(self._board, data, len(data), self._out, _OUT_BYTES)
         assert self._library.epf_flight_lost_bytes(self._board) == 0
         return self._out.raw[:size]
+
+    def advance(self, elapsed_ms: int) -> None:
+        """Let time pass; needed between two commands 50 only if the board measures the time of its steps."""
+        self._library.epf_flight_advance(self._board, elapsed_ms)
 
     def send_streams(self, task: int) -> bytes:
         """Let one of the board's tasks send its streams; returns them."""
@@ -75,12 +81,20 @@ class Sample:
 
 
 class ClosedLoop:
-    """A simulator and a board, wired as the gateway wires them, on the assisted path."""
+    """A simulator and a board, wired as the gateway wires them, on the assisted path.
 
-    def __init__(self, options: SimulationOptions) -> None:
+    `measured`: the board measures the time of its steps, as deployed. `repeats`: how often the simulator sends each of
+    its pictures again, evenly in the time until the next.
+    """
+
+    def __init__(self, options: SimulationOptions, *, measured: bool = False, repeats: int = 0) -> None:
         self.crashes: list[str] = []
         self.simulation = Simulation(options, self.crashes.append)
-        self.firmware = Firmware(1.0 / options.rate_hz)
+        self.firmware = Firmware(0.0 if measured else 1.0 / options.rate_hz)
+        self._sent_every_ms = round(1000.0 / options.rate_hz / (1 + repeats)) if measured else 0
+        self._repeats = repeats
+        self._rate_hz = options.rate_hz
+        self._info: XplaneInfo | None = None
         self._gatherer = Gatherer(options.profile)
         self._decoder = FrameDecoder()
         self._fms_every = round(_FMS_PERIOD_S * options.rate_hz)
@@ -113,6 +127,16 @@ class ClosedLoop:
                 break
         return self.samples[first:]
 
+    def pause(self, seconds: float, *, stick_trembles: bool = False) -> None:
+        """Pause the simulator: its newest frame goes to the board again and again, and the board's time runs on."""
+        assert self._info is not None, "nothing was flown yet"
+        for frame in range(round(seconds * self._rate_hz)):
+            self._tell(self._info._replace(elevator=0.001 * (frame % 3)) if stick_trembles else self._info)
+
+    def _tell(self, info: XplaneInfo) -> None:
+        self.firmware.advance(self._sent_every_ms)
+        self._take(self.firmware.feed(encode_command("xplane_info", *info)))
+
     def _frame(self) -> None:
         simulation = self.simulation
         simulation.advance()
@@ -121,7 +145,9 @@ class ClosedLoop:
             self.bytes_to_station.append(datagram)
             info = self._gatherer.take(parse(datagram) or [], simulation.time_s)
             if info is not None:
-                self._take(self.firmware.feed(encode_command("xplane_info", *info)))
+                self._info = info
+                for _ in range(1 + self._repeats):
+                    self._tell(info)
         self._frames += 1
         if self._frames % self._fms_every == 0:
             self._take(self.firmware.send_streams(_FMS_TASK))

@@ -54,9 +54,9 @@ _PLAN: Final = {
 
 
 @contextmanager
-def cruise() -> Iterator[ClosedLoop]:
+def cruise(*, measured: bool = False, repeats: int = 0) -> Iterator[ClosedLoop]:
     """The rc aircraft in steady flight straight on, with the other waypoints of the steps in its plan."""
-    with ClosedLoop(SimulationOptions()) as loop:
+    with ClosedLoop(SimulationOptions(), measured=measured, repeats=repeats) as loop:
         loop.command("mission_begin", _HIL_PLAN, len(_PLAN))
         for index, waypoint in _PLAN.items():
             loop.command("mission_item", _HIL_PLAN, index, *waypoint)

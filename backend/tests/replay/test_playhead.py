@@ -23,9 +23,9 @@ from epf_gcs.replay.timeline import Timeline
 from epf_gcs.surroundings.watch import NOTHING_SEEN
 from epf_gcs.web.interface.state.schemas import Status
 from epf_gcs.xplane.datagram import Record, build
-from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, write
+from tests.replay.recordings import SECOND_NS, STARTS_NS, Made, flight, write
 from tests.support.outlet import KeptOutlet
-from tests.support.simulator import NO, ROWS
+from tests.support.simulator import NO, ROWS, WHOLE
 
 
 def state_of(head: Playhead) -> Any:
@@ -309,3 +309,56 @@ def test_two_replays_share_key_frames_and_one_of_them_writes(recording: Path, tm
     third.close()
     second.look()
     assert second.is_writer, "whoever looks next goes on with the key frames of one that has ended"
+
+
+def paused_and_put_elsewhere(path: Path) -> Path:
+    """A simulator that is paused from the 5th second to the 9th, and in the 12th puts its aircraft elsewhere."""
+    told = encode_command("xplane_info", *(0.5,) * 15)
+    elsewhere = {**ROWS, 20: (28.4532, -13.8661, *ROWS[20][2:])}
+    items: Made = []
+    for item in flight(16.0):
+        at_s = (item[0] - STARTS_NS) / SECOND_NS
+        if item[1] == SIMULATOR_RECEIVED and 5.0 <= at_s < 9.0:
+            items.append((item[0], SIMULATOR_RECEIVED, WHOLE))
+        elif item[1] == SIMULATOR_RECEIVED and 12.0 <= at_s < 13.0:
+            rows = {**elsewhere, 17: (at_s, *ROWS[17][1:])}
+            items.append((item[0], SIMULATOR_RECEIVED, build(Record(*one) for one in rows.items())))
+        elif item[1] not in (notes.EVENT, BOARD_SENT) and (item[1] != SIMULATOR_RECEIVED or at_s < 12.0):
+            items.append(item)
+    items += [(STARTS_NS + at_ms * 1_000_000, BOARD_SENT, told) for at_ms in range(20, 16000, 50)]
+    return write(path, sorted(items, key=lambda one: one[0]))
+
+
+def test_a_pause_and_a_jump_of_the_simulator_are_those_of_the_flight(tmp_path: Path) -> None:
+    timeline, outlet = Timeline(paused_and_put_elsewhere(tmp_path / "old.mcap")), KeptOutlet()
+    head = Playhead(timeline, outlet)
+
+    def said(one: Playhead, at_s: float) -> tuple[bool, bool]:
+        one.advance(STARTS_NS + round(at_s * SECOND_NS))
+        alarms = {alarm["id"] for alarm in one.alarms if alarm["until_s"] is None}
+        return build_status(one, "a.mcap", 0)["simulator"]["paused"], "simulator_paused" in alarms
+
+    for at_s, expected in ((4.9, False), (6.0, True), (8.9, True), (9.2, False), (11.9, False)):
+        assert said(head, at_s) == (expected, expected), at_s
+        key = keyed(timeline).before(STARTS_NS + round(at_s * SECOND_NS))
+        sought = Playhead(timeline, Silence(), *(key or ()))
+        assert said(sought, at_s) == (expected, expected), at_s
+        assert state_of(sought) == state_of(head)
+    assert not [event for event in outlet.events if event[0] == "simulator_jumped"]
+    said(head, 12.9)
+    (jump,) = [event[-1] for event in outlet.events if event[0] == "simulator_jumped"]
+    assert jump["latitude_deg"] == pytest.approx(28.4532)
+
+
+def test_a_jump_that_was_noted_is_told_once(tmp_path: Path) -> None:
+    items = [
+        (t_ns, SIMULATOR_RECEIVED, build([Record(20, (degrees, *ROWS[20][1:]))]))
+        for t_ns, degrees in ((STARTS_NS + SECOND_NS, 20.0), (STARTS_NS + 2 * SECOND_NS, 40.0))
+    ]
+    note = (STARTS_NS + 2 * SECOND_NS, notes.EVENT, {"event": "simulator_jumped", "data": {"distance_m": 7}})
+    outlet = KeptOutlet()
+    head = Playhead(Timeline(write(tmp_path / "new.mcap", [*items, note])), outlet)
+    head.advance(STARTS_NS + 3 * SECOND_NS)
+    assert [event for event in outlet.events if event[0] == "simulator_jumped"] == [
+        ("simulator_jumped", {"distance_m": 7})
+    ]

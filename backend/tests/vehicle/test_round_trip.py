@@ -140,3 +140,18 @@ def test_an_answer_to_a_question_of_the_loop_before_is_no_time() -> None:
     trip.clear()
     trip.answered(1.1)
     assert (trip.answers, trip.newest_ms) == (0, None)
+
+
+def test_answers_in_a_pause_are_left_out_and_shift_nothing_after_it() -> None:
+    trip = RoundTrip()
+    events = sorted(
+        [(index * 0.02, True) for index in range(400)] + [(index * 0.02 + 0.035, False) for index in range(400)]
+    )
+    for at_s, asked in events:
+        if asked:
+            trip.asked(at_s)
+        else:
+            trip.answered(at_s, is_counted=not 2.0 < at_s < 6.0)
+    assert trip.answers == 200
+    assert trip.summary().newest == pytest.approx(35.0)
+    assert trip.summary().p99 == pytest.approx(35.0)

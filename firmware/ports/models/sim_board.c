@@ -7,6 +7,7 @@
 #include "common/angle.h"
 #include "common/limit.h"
 #include "flight/board_sensors.h"
+#include "flight/hil_loop.h"
 #include "sim_air.h"
 #include "sim_gps.h"
 #include "sim_inertial.h"
@@ -26,13 +27,13 @@ static const sim_truth_t parked = {
 static struct
 {
     sim_truth_t truth;
-    command_xplane_info_t stick;  ///< the newest command 50, of which only the stick is used; 0 before the first
+    command_xplane_info_t stick;  ///< the newest command 50: the stick, and what the next one is compared with
     float throttle;               ///< of the simulated motor
     float servo_throttle;         ///< of the real one
     message_servos_in_t switches; ///< of the transmitter, by receiver channel; its sticks follow `stick`
     bool is_transmitter_off;
     bool is_observed;
-    float age_s; ///< of the newest simulator information
+    float age_s; ///< of the newest simulator information that was no repeat
     sim_motion_t motion;
     sim_noise_t noise;
     sim_inertial_t inertial;
@@ -43,6 +44,14 @@ static struct
 static void observe(void* context, const command_xplane_info_t* info, float throttle)
 {
     (void)context;
+    const bool is_paused = sim.is_observed && hil_loop_repeats(&sim.stick, info);
+    sim.stick = *info;
+    sim.throttle = throttle;
+    if (is_paused)
+    {
+        // it ages until the aircraft stands still, so that no gyro turns an aircraft that does not turn
+        return;
+    }
     sim.truth = (sim_truth_t){
         .latitude_deg = (double)info->latitude_deg,
         .longitude_deg = (double)info->longitude_deg,
@@ -59,8 +68,6 @@ static void observe(void* context, const command_xplane_info_t* info, float thro
         .r_rad_s = info->gz_rad_s,
     };
     sim_motion_follow(&sim.motion, &sim.truth);
-    sim.stick = *info;
-    sim.throttle = throttle;
     sim.age_s = 0.0F;
     sim.is_observed = true;
 }

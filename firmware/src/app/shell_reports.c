@@ -169,6 +169,8 @@ void shell_show_status(const shell_call_t* call)
     show_count(reply, "frames dropped", *call->shell->frames_dropped);
     show_count(reply, "hil frames", board->hil.accepted);
     show_count(reply, "hil frames refused", board->hil.refused);
+    show_count(reply, "hil frames repeated", board->hil.repeated);
+    show_count(reply, "hil jumps", board->hil.jumps);
     show_number(reply, "sensor load", (float)call->shell->load->percent[load_sensor_dsc], 0, "%");
     show_number(reply, "control load", (float)call->shell->load->percent[load_control_dsc], 0, "%");
 }

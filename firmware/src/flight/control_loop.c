@@ -7,9 +7,10 @@ enum
     no_source = -1 ///< differs from the source of every input, so that the next step is a change of source
 };
 
-static const float flying_speed_kt = 20.0F; ///< below it every integral is frozen
-static const float ground_band_ft = 10.0F;  ///< an aircraft this far above or below the ground is in the air
+static const float ground_band_ft = 10.0F; ///< an aircraft this far above or below the ground is in the air
 static const float ground_run_limit_s = 20.0F;
+
+const float control_loop_flying_speed_kt = 20.0F;
 
 void control_loop_init(control_loop_t* loop)
 {
@@ -40,7 +41,7 @@ static bool is_finite_input(const control_loop_input_t* input)
 /// The run has a time limit, because an aircraft that was slow in the air must soon count as flying again.
 static bool is_frozen(control_loop_t* loop, const control_loop_input_t* input, float dt_s)
 {
-    if (input->speed_kt < flying_speed_kt)
+    if (input->speed_kt < control_loop_flying_speed_kt)
     {
         loop->ground_altitude_ft = input->altitude_ft;
         loop->ground_is_known = true;
@@ -54,6 +55,17 @@ static bool is_frozen(control_loop_t* loop, const control_loop_input_t* input, f
         loop->ground_is_known = false;
     }
     return loop->ground_is_known;
+}
+
+/// A step without time adds nothing to the means that the drift is found from: a minute of a frozen heading would
+/// outweigh the flight. The very first step has no time either and begins them.
+static float find_track_deg(control_loop_t* loop, const control_loop_input_t* input, float dt_s)
+{
+    if (loop->has_run && !(dt_s > 0.0F))
+    {
+        return track_direction_deg(&loop->track, input->direction_deg);
+    }
+    return track_update(&loop->track, &input->position, input->direction_deg, input->speed_kt);
 }
 
 /// The autopilot's target: from the plan, or without one the altitude, course and speed when it was switched on.
@@ -140,7 +152,7 @@ surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* g
     {
         return loop->surfaces;
     }
-    const float track_deg = track_update(&loop->track, &input->position, input->direction_deg, input->speed_kt);
+    const float track_deg = find_track_deg(loop, input, dt_s);
     const fly_by_wire_input_t rates = {
         .p_rad_s = input->p_rad_s,
         .q_rad_s = input->q_rad_s,

@@ -61,13 +61,16 @@ typedef struct
     surfaces_t surfaces; ///< newest output
 } control_loop_t;
 
+/// Indicated airspeed below which every integral is frozen.
+extern const float control_loop_flying_speed_kt;
+
 void control_loop_init(control_loop_t* loop);
 
 /// Set the surfaces directly, inside of their limits. The next step begins from them without a jump.
 void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces);
 
-/// One step of `dt_s` (>= 0; 0 after a pause, when nothing may be integrated). Sequences `plan` too. Returns the new
-/// surfaces, which are finite and inside of their limits whatever the input.
+/// One step of `dt_s` (>= 0; 0 during and after a pause, when nothing may be integrated or averaged). Sequences `plan`
+/// too. Returns the new surfaces, which are finite and inside of their limits whatever the input.
 surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
                              const control_loop_input_t* input, float dt_s);
 

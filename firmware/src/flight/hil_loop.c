@@ -4,11 +4,16 @@
 #include <string.h>
 
 #include "common/limit.h"
+#include "navigation/geodesy.h"
 
 // Line and station make the arrivals irregular; the laws are not made for steps outside of these.
 static const float step_minimum_s = 0.005F;
 static const float step_maximum_s = 0.2F;
 static const uint32_t pause_ms = 500; ///< a longer gap counts as a pause of the simulator
+static const float jump_m = 500.0F;   ///< no aircraft flies so far in one frame
+static const float m_per_ft = 0.3048F;
+static const float m_s_per_kt = 0.514444F;
+static const float fastest_ratio = 2.0F; ///< of ground speed or climb to the indicated airspeed, in wind and up high
 
 void hil_loop_init(hil_loop_t* hil, float period_s)
 {
@@ -77,20 +82,55 @@ static bool is_plausible(const command_xplane_info_t* info)
     return position_is_valid(&position);
 }
 
-/// Time of this step. The first step and one after a pause integrate nothing: nobody knows how long the aircraft has
-/// flown with these surfaces then.
-static float step_time_s(const hil_loop_t* hil, uint32_t now_ms)
+bool hil_loop_repeats(const command_xplane_info_t* before, const command_xplane_info_t* info)
 {
+    // below flying speed nothing is integrated, and a parked aircraft does stand still
+    return info->speed_kt >= control_loop_flying_speed_kt && info->gx_rad_s == before->gx_rad_s &&
+           info->gy_rad_s == before->gy_rad_s && info->gz_rad_s == before->gz_rad_s &&
+           info->yaw_deg == before->yaw_deg && info->pitch_deg == before->pitch_deg &&
+           info->roll_deg == before->roll_deg && info->altitude_ft == before->altitude_ft &&
+           info->vvi_ft_min == before->vvi_ft_min && info->speed_kt == before->speed_kt &&
+           info->latitude_deg == before->latitude_deg && info->longitude_deg == before->longitude_deg;
+}
+
+/// Whether the aircraft cannot have flown from `before` to `info`: the simulator put it there.
+static bool jumps(const command_xplane_info_t* before, const command_xplane_info_t* info, uint32_t elapsed_ms)
+{
+    const position_t from = {(double)before->latitude_deg, (double)before->longitude_deg};
+    const position_t to = {(double)info->latitude_deg, (double)info->longitude_deg};
+    const float way_m = hypotf(geodesy_distance_m(&from, &to), (info->altitude_ft - before->altitude_ft) * m_per_ft);
+    const float speed_m_s = fmaxf(before->speed_kt, 0.0F) * m_s_per_kt;
+    return way_m > jump_m + fastest_ratio * speed_m_s * (float)elapsed_ms / 1000.0F;
+}
+
+/// Time of this step. The first step, a repeat, and a step after a pause integrate nothing: nobody knows how long the
+/// aircraft has flown with these surfaces then. A simulator that sends each of its pictures twice has its whole time.
+static float step_time_s(const hil_loop_t* hil, bool repeats, uint32_t now_ms)
+{
+    if (repeats)
+    {
+        return 0.0F;
+    }
     if (hil->period_s > 0.0F)
     {
         return hil->period_s;
     }
-    const uint32_t elapsed_ms = now_ms - hil->arrived_ms;
+    const uint32_t elapsed_ms = now_ms - hil->moved_ms;
     if (!hil->has_newest || elapsed_ms > pause_ms)
     {
         return 0.0F;
     }
     return limit_to((float)elapsed_ms / 1000.0F, step_minimum_s, step_maximum_s);
+}
+
+/// Begin the loop anew if the aircraft was put elsewhere; its integrals are of another flight.
+static void begin_after_jump(hil_loop_t* hil, const command_xplane_info_t* info, uint32_t now_ms)
+{
+    if (hil->has_newest && jumps(&hil->newest, info, now_ms - hil->arrived_ms))
+    {
+        control_loop_init(&hil->loop);
+        hil->jumps++;
+    }
 }
 
 bool hil_loop_step(hil_loop_t* hil, const measurements_t* measured, const control_loop_gains_t* gains, plan_t* plan,
@@ -101,10 +141,14 @@ bool hil_loop_step(hil_loop_t* hil, const measurements_t* measured, const contro
         hil->refused++;
         return false;
     }
-    const float dt_s = step_time_s(hil, now_ms);
+    const bool repeats = hil->has_newest && hil_loop_repeats(&hil->newest, info);
+    const float dt_s = step_time_s(hil, repeats, now_ms);
+    begin_after_jump(hil, info, now_ms);
     hil->newest = *info;
     hil->has_newest = true;
     hil->arrived_ms = now_ms;
+    hil->moved_ms = repeats ? hil->moved_ms : now_ms;
+    hil->repeated += repeats ? 1U : 0U;
     hil->accepted++;
     hil_loop_refresh_switches(hil, measured);
     const control_loop_input_t input = hil_loop_input(hil, measured);

@@ -20,8 +20,11 @@ typedef struct
     command_xplane_info_t newest; ///< command 50
     bool has_newest;              ///< at least one was accepted
     uint32_t arrived_ms;          ///< when the newest did
+    uint32_t moved_ms;            ///< when the newest did that was no repeat
     uint32_t accepted;            ///< commands 50 since the start
     uint32_t refused;             ///< those with a value that is not finite, or without a valid position
+    uint32_t repeated;            ///< those of an aircraft that hangs still in the air: the simulator is paused
+    uint32_t jumps;               ///< those that found the aircraft elsewhere: a reset or a new start
     failsafe_t missing;           ///< only: the simulator is silent
 } hil_loop_t;
 
@@ -35,8 +38,13 @@ void hil_loop_refresh_switches(hil_loop_t* hil, const measurements_t* measured);
 /// What the loop is given: the newest command 50, and the stick of the control source.
 control_loop_input_t hil_loop_input(const hil_loop_t* hil, const measurements_t* measured);
 
-/// Step the loop by one command 50; the new surfaces are in `hil->loop`. False, and nothing changed but the counter,
-/// for a command with a value that is not finite or without a valid position.
+/// Whether `info` says of the aircraft in flight, bit for bit, what `before` said. Where the stick is does not matter:
+/// a pilot may move it while the simulator is paused.
+bool hil_loop_repeats(const command_xplane_info_t* before, const command_xplane_info_t* info);
+
+/// Step the loop by one command 50; the new surfaces are in `hil->loop`. A repeat is answered but takes no time, so
+/// that a pause of the simulator is none of the flight; after a jump the loop begins as at the board's start. False,
+/// and nothing changed but the counter, for a command with a value that is not finite or without a valid position.
 bool hil_loop_step(hil_loop_t* hil, const measurements_t* measured, const control_loop_gains_t* gains, plan_t* plan,
                    const command_xplane_info_t* info, uint32_t now_ms);
 

@@ -41,6 +41,11 @@ static void end_stretch(track_t* track, const position_t* position)
     begin_stretch(track, position);
 }
 
+float track_direction_deg(const track_t* track, float direction_deg)
+{
+    return angle_wrap_360(direction_deg + track->drift_deg);
+}
+
 float track_update(track_t* track, const position_t* position, float direction_deg, float speed_kt)
 {
     if (!position_is_valid(position) || !(speed_kt >= speed_minimum_kt))
@@ -64,5 +69,5 @@ float track_update(track_t* track, const position_t* position, float direction_d
     {
         end_stretch(track, position);
     }
-    return angle_wrap_360(direction_deg + track->drift_deg);
+    return track_direction_deg(track, direction_deg);
 }

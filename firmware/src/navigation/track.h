@@ -23,4 +23,7 @@ void track_init(track_t* track);
 /// in [0, 360). For a source that gives the track itself, the result is that track plus the noise of the positions.
 float track_update(track_t* track, const position_t* position, float direction_deg, float speed_kt);
 
+/// The ground track in [0, 360) of a direction, by the drift known so far; nothing is taken.
+float track_direction_deg(const track_t* track, float direction_deg);
+
 #endif

@@ -1,6 +1,7 @@
 #include "support/cmocka_all.h"
 
 #include "common/limit.h"
+#include "flight/board_sensors.h"
 #include "sim_board.h"
 
 static const float sensor_period_s = 0.01F;
@@ -94,6 +95,33 @@ static void the_gps_stands_when_the_simulator_falls_silent(void** state)
     assert_true(reading.gps.speed_kt < 1.0F);
 }
 
+static void a_paused_simulator_turns_no_gyro_and_flies_on_afterwards(void** state)
+{
+    (void)state;
+    const sensors_t sensors = sim_board_sensors(1);
+    command_xplane_info_t info = northbound(0);
+    info.gz_rad_s = 0.3F;
+    sensors_reading_t reading;
+    for (int frame = 0; frame < 500; frame++)
+    {
+        info.elevator = (float)(frame % 3) / 1000.0F; // a joystick trembles in a pause too
+        sensors.observe(sensors.context, &info, 0.5F);
+        for (int i = 0; i < 2; i++)
+        {
+            sensors.read(sensors.context, sensor_period_s, &reading);
+        }
+    }
+    assert_close(reading.inertial.gz_rad_s, 0.0, 0.03);
+    assert_close(reading.receiver.channel[rc_channel_elevator], 0.001, 0.01);
+    info.latitude_deg += 0.00001F;
+    sensors.observe(sensors.context, &info, 0.5F);
+    for (int i = 0; i < 2; i++)
+    {
+        sensors.read(sensors.context, sensor_period_s, &reading);
+    }
+    assert_close(reading.inertial.gz_rad_s, 0.3, 0.03);
+}
+
 static void a_board_without_a_simulator_stands_on_the_runway(void** state)
 {
     (void)state;
@@ -116,6 +144,7 @@ int main(void)
         cmocka_unit_test(the_gps_tells_the_same_speed_when_the_board_gets_a_tenth_of_its_time),
         cmocka_unit_test(the_gps_tells_the_same_speed_when_frames_come_in_bursts),
         cmocka_unit_test(the_gps_stands_when_the_simulator_falls_silent),
+        cmocka_unit_test(a_paused_simulator_turns_no_gyro_and_flies_on_afterwards),
     };
     return cmocka_run_group_tests_name("models.sim_board", tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@ const isCommandEvent = shape({
   ms: nullable(isNumber),
   reason: nullable(isText),
 });
+const isJump = shape({ distance_m: isNumber });
 const isErrorEvent = shape({ code: isText, detail: isText, params: isObject });
 
 /** Announce link changes, except while a link is opening. */
@@ -26,10 +27,13 @@ export function linkMessages(before: Status | null, status: Status): readonly Me
   });
 }
 
-/** The message for an event: an error of the gateway, or the outcome of another browser's command. */
+/** The message for an event: an error of the gateway, a jump of the simulator's aircraft, or the outcome of another browser's command. */
 export function eventMessage({ event, data }: StreamEvent, client: string | null): Message | null {
   if (event === "error" && isErrorEvent(data)) {
     return failureMessage(data, "warning");
+  }
+  if (event === "simulator_jumped" && isJump(data)) {
+    return { level: "info", key: "said.jumped", params: { distance_m: data.distance_m } };
   }
   if (
     event === "command" &&

@@ -26,6 +26,7 @@ export function createVehicle(clock?: VehicleClock): Vehicle {
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
     );
+    telemetry.setPaused(status.simulator.paused);
     const counts = Object.fromEntries(
       Object.entries(status.topics).map(([topic, { count }]) => [topic, count]),
     );

@@ -1342,7 +1342,8 @@ export type UnusableValue = Checked<typeof isUnusableValue>;
 
 /** The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken.
  *
- * `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said. */
+ * `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
+ * `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live. */
 export const isSimulatorStatus = shape({
   advice: nullable(isText),
   bytes_in: isNumber,
@@ -1356,6 +1357,7 @@ export const isSimulatorStatus = shape({
   frames_to_simulator: isNumber,
   hil_round_trip_ms: isRoundTripMs,
   missing_rows: list(isNumber),
+  paused: isFlag,
   percent: isNumber,
   profile: nullable(oneOf("xp10", "xp12")),
   receive_port: nullable(isNumber),

@@ -183,3 +183,17 @@ test("a connection that is lost moves the revision, too: what is on the screen m
   telemetry.silence();
   expect(telemetry.revision).toBeGreaterThan(before);
 });
+
+test("what a paused simulator says is not live, however new, and what the board says is", () => {
+  batch(1000);
+  telemetry.apply(START_S + 1, [{ topic: "simulator", t_s: START_S + 1, values: { pitch_deg: 5 } }], 1000);
+  telemetry.applyRows({ t_s: START_S + 1, rows: [[17, [5]]] });
+  telemetry.setPaused(true);
+  expect(telemetry.state("simulator", 1001)).toBe("stale");
+  expect(telemetry.liveNumber("simulator", "pitch_deg", 1001)).toBeNull();
+  expect(telemetry.rowState(17, 1001)).toBe("stale");
+  expect(telemetry.state("ahrs", 1001)).toBe("live");
+  telemetry.setPaused(false);
+  expect(telemetry.state("simulator", 1001)).toBe("live");
+  expect(telemetry.rowState(17, 1001)).toBe("live");
+});

@@ -17,6 +17,9 @@ const TRANSPORT_S = 0.15;
 /** The gateway sends a row of the simulator five times a second, until it is a second old. */
 const ROW_STALE_AFTER_S = 1;
 
+/** What a simulator says that is paused: it arrives, but it is not live. */
+const PAUSED_TOPICS: ReadonlySet<TopicName> = new Set<TopicName>(["simulator", "xplane_info"]);
+
 /** A row of the simulator: its eight values, null where it has none, and when the gateway last sent it. */
 export interface HeardRow {
   readonly t_s: number;
@@ -32,6 +35,7 @@ export class TelemetryStore {
   #heard_ms = Number.NEGATIVE_INFINITY;
   #revision = 0;
   #jumps = 0;
+  #isPaused = false;
   #made_s = Number.NEGATIVE_INFINITY;
 
   /** `clock` is a `FlightClock` for a flight that is played back. */
@@ -113,6 +117,12 @@ export class TelemetryStore {
     }
   }
 
+  /** Whether the simulator is paused: what it says is not live then, however new. */
+  setPaused(isPaused: boolean): void {
+    this.#isPaused = isPaused;
+    this.#revision += 1;
+  }
+
   /** Whether a message arrived within the last second. */
   isConnected(now_ms: number): boolean {
     return now_ms - this.#heard_ms <= SILENCE_MS;
@@ -139,7 +149,8 @@ export class TelemetryStore {
       return "none";
     }
     const limit_s = (this.#staleAfter_s.get(topic) ?? DEFAULT_STALE_AFTER_S) + TRANSPORT_S;
-    return this.isConnected(now_ms) && age_s <= limit_s ? "live" : "stale";
+    const isPaused = this.#isPaused && PAUSED_TOPICS.has(topic);
+    return this.isConnected(now_ms) && age_s <= limit_s && !isPaused ? "live" : "stale";
   }
 
   /** A number of a topic's newest sample, however old: check `state` before showing it. */
@@ -185,7 +196,8 @@ export class TelemetryStore {
     if (age_s === null) {
       return "none";
     }
-    return this.isConnected(now_ms) && age_s <= ROW_STALE_AFTER_S + TRANSPORT_S ? "live" : "stale";
+    const isRecent = age_s <= ROW_STALE_AFTER_S + TRANSPORT_S;
+    return this.isConnected(now_ms) && isRecent && !this.#isPaused ? "live" : "stale";
   }
 
   /** One of a row's eight values if the row is live and has it, else null. */

@@ -62,6 +62,7 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       fitting_profile: "xp10",
       missing_rows: [],
       unusable: [],
+      paused: false,
       rows: [3, 4, 8, 16, 17, 18, 20, 25],
       datagrams_received: 5000,
       datagrams_dropped: 0,

@@ -30,6 +30,7 @@ _KINDS: Final = {
     "link": "link",
     "mission": "plan",
     "parameter": "parameter",
+    "simulator_jumped": "jump",
 }
 _NAMES: Final = {
     "advice": "code",

@@ -20,7 +20,8 @@ PARAMETERS: Final = "epf/parameters"
 # {"plan": "flight" or "hil", "waypoints": [...] or null} as GET /api/v1/missions/{plan} gives it.
 PLAN: Final = "epf/plan"
 # {"event": kind, "data": {...}} as the stream sends it: command, alarm, link, parameter, mission, board_restarted,
-# control, advice, and console lines that were sent. What the bytes themselves bring about is not noted.
+# simulator_jumped, control, advice, and console lines that were sent. Other things that the bytes themselves bring
+# about are not noted.
 EVENT: Final = "epf/event"
 # {"text": words of the person, "by": name or null, "id": text}
 MARK: Final = "epf/mark"

@@ -81,6 +81,9 @@ class Playhead:
         self._to_board_s: float | None = None
         self.clock.t_ns = self._heard_ns = self._frame_ns = timeline.starts_ns or 0
         self._judged = None if timeline.has_event_notes else JudgedAlarms(self.vehicle, outlet, self._line, self._loop)
+        if self._judged is None:
+            # Those that were noted are told.
+            self.vehicle.simulator.motion.on_jump = None
         if kept is None:
             self._begin(from_ns)
         else:
@@ -328,6 +331,7 @@ class Playhead:
             is_simulator_open=bool(simulator.rows(now_s)),
             missing_rows=simulator.missing_rows(now_s),
             unusable=simulator.unusable(now_s),
+            is_paused=simulator.motion.is_paused(now_s),
         )
 
     def _count(self) -> int:

@@ -87,6 +87,7 @@ def _simulator(head: Playhead) -> dict[str, Any]:
         "rows": rows,
         "missing_rows": simulator.missing_rows(now_s) if state == "open" else [],
         "unusable": [value.params for value in simulator.unusable(now_s)] if state == "open" else [],
+        "paused": simulator.motion.is_paused(now_s),
         "advice": None,
         "datagrams_received": simulator.datagrams,
         "datagrams_dropped": head.datagrams_dropped,

@@ -10,6 +10,7 @@ AlarmId = Literal[
     "hil_lost",
     "profile_wrong",
     "simulator_pace",
+    "simulator_paused",
     "foreign_datagrams",
     "stick_lost",
     "gps_lost",

@@ -304,6 +304,7 @@ class Loop:
     is_simulator_open: bool
     missing_rows: Sequence[int]
     unusable: Sequence[UnusableValue] = ()
+    is_paused: bool = False
 
 
 def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
@@ -324,6 +325,14 @@ def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
     if loop.unanswered_s > lost_s:
         return Finding("hil_lost", "critical", "The HIL loop is open: the board does not answer the simulator's data.")
     return None
+
+
+def judge_pause(loop: Loop | None) -> Finding | None:
+    """`loop` is None while HIL is not in use."""
+    if loop is None or not loop.is_paused:
+        return None
+    text = "The simulator is paused: its values are not live. Go on in the simulator when you are ready."
+    return Finding("simulator_paused", "warning", text)
 
 
 def judge_stick(gamepad: str | None, state: Literal["live", "lost"] | None, *, flies: bool) -> Finding | None:

@@ -42,8 +42,8 @@ class RoundTrip:
         self._last_asked_s = now_s
         self._asked.append(now_s)
 
-    def answered(self, now_s: float) -> None:
-        """An answer came: pair it with the oldest question that is still open."""
+    def answered(self, now_s: float, *, is_counted: bool = True) -> None:
+        """An answer came: pair it with the oldest open question; figures leave out what is not counted."""
         while self._asked and now_s - self._asked[0] > _FORGET_S:
             self._asked.popleft()
         for _ in range(self._lost_before(now_s)):
@@ -51,8 +51,10 @@ class RoundTrip:
                 self._asked.popleft()
         self._last_answer_s = now_s
         if self._asked:
-            self.answers += 1
-            self._answers_ms.append((now_s - self._asked.popleft()) * 1000.0)
+            asked_s = self._asked.popleft()
+            if is_counted:
+                self.answers += 1
+                self._answers_ms.append((now_s - asked_s) * 1000.0)
 
     @property
     def newest_ms(self) -> float | None:

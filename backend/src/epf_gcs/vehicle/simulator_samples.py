@@ -13,6 +13,7 @@ from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.pace_judge import POSITION_ROW, SPEED_ROW, PaceJudge
 from epf_gcs.vehicle.profile_judge import ATTITUDE_ROW, RATES_ROW, ProfileJudge
+from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, SimulatorMotion
 from epf_gcs.vehicle.unusable_value import UnusableValue
 from epf_gcs.xplane.datagram import Eight, Record, parse
 from epf_gcs.xplane.gather import Gatherer
@@ -53,6 +54,7 @@ class SimulatorSamples:
         self._whole_frames = WholeFrames(self._profile)
         self._rows: dict[int, Arrivals] = {}
         self._begin_judging()
+        self.motion = SimulatorMotion()
         self._shown_s = 0.0
         self._raw_shown_s = 0.0
         self.datagrams = 0
@@ -75,6 +77,7 @@ class SimulatorSamples:
         self._whole_frames = WholeFrames(profile)
         self._rows.clear()
         self._begin_judging()
+        self.motion.forget()
 
     def end(self) -> None:
         """The simulator is closed: what its rows said of it does not hold for the next one."""
@@ -152,6 +155,7 @@ class SimulatorSamples:
             "profile_judge": self._profile_judge.kept(),
             "pace_judge": self._pace_judge.kept(),
             "rows": [[row, *one.kept()] for row, one in self._rows.items()],
+            "motion": self.motion.kept(),
         }
 
     def restore(self, state: Mapping[str, Any]) -> None:
@@ -166,6 +170,7 @@ class SimulatorSamples:
         self._pace_judge.restore(state["pace_judge"])
         for row, count, times_s, values in state["rows"]:
             self._rows[row] = Arrivals.restored(count, times_s, tuple(values))
+        self.motion.restore(state["motion"])
 
     def _begin_judging(self) -> None:
         self._profile_judge, self._pace_judge = ProfileJudge(), PaceJudge()
@@ -187,6 +192,8 @@ class SimulatorSamples:
             judge = self._judges.get(row)
             if judge is not None:
                 judge.take(row, values, t_s)
+            if row in MOTION_ROWS:
+                self.motion.take(row, values, t_s, self._profile)
 
     def _live(self, now_s: float) -> dict[int, Eight]:
         oldest_s = now_s - _ROW_AGE_S

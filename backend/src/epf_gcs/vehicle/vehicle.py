@@ -12,6 +12,7 @@ from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
+from epf_gcs.vehicle.simulator_motion import JUMPED, Jump
 from epf_gcs.vehicle.simulator_samples import SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
 
@@ -29,7 +30,14 @@ class Vehicle:
         self.telemetry = Telemetry(outlet, clock, commanded_period_s)
         self.board = Board(clock, outlet, self.telemetry, errors)
         self.simulator = SimulatorSamples(self.telemetry)
+        self.simulator.motion.on_jump = self._tell_jump
+        self._outlet = outlet
         self.ahrs_test = AhrsTestSamples(self.telemetry, clock)
+
+    def _tell_jump(self, jump: Jump) -> None:
+        """Example values jump when they begin again: of those nothing is told."""
+        if not self.board.is_emulated:
+            self._outlet.event(JUMPED, jump.as_event())
 
     def kept(self) -> dict[str, Any]:
         """All that what comes next depends on, as plain values for `restore`: a key frame of a recording."""

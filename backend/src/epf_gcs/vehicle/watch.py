@@ -17,6 +17,7 @@ from epf_gcs.vehicle.judges import (
     judge_card,
     judge_heartbeat,
     judge_hil,
+    judge_pause,
 )
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.telemetry import Telemetry
@@ -55,6 +56,7 @@ class VehicleWatch:
             judge_heartbeat(line, limits["heartbeat_lost_s"]),
             judge_hil(loop, limits["hil_lost_s"]),
             *simulator,
+            judge_pause(loop),
             self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
             self._look_at_gps(now_s, is_wanted=wants_gps),
             self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),

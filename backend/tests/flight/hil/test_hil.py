@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import socket
 import struct
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator, Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -222,3 +223,47 @@ async def test_the_end_of_the_gateway_hands_the_controls_back(tmp_path: Path, si
     async with station.running():
         await station.lines.open_simulator(SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.own_port, "xp10"))
     await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")
+
+
+async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_trips_are_not_counted(
+    station: Flight, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+
+    def paused(*, raised: bool) -> bool:
+        simulator.send(WHOLE)
+        alarms = {alarm["id"] for alarm in station.status()["alarms"] if alarm["until_s"] is None}
+        return station.status()["simulator"]["paused"] and ("simulator_paused" in alarms) == raised
+
+    await eventually_async(lambda: paused(raised=True), "it is paused, and the alarm comes")
+    assert "hil_lost" not in {alarm["id"] for alarm in station.status()["alarms"]}
+    answers, sent = station.hil.round_trip.answers, station.hil.frames_to_board
+    await eventually_async(lambda: paused(raised=True) and station.hil.frames_to_board > sent + 50, "rows go on")
+    assert station.hil.round_trip.answers == answers
+    moved = 0
+
+    def moves() -> bool:
+        nonlocal moved
+        moved += 1
+        rows = {**ROWS, 17: (2.5 + 0.01 * (moved % 2), *ROWS[17][1:])}
+        simulator.send(build(Record(row, values) for row, values in rows.items()))
+        alarms = {alarm["id"] for alarm in station.status()["alarms"] if alarm["until_s"] is None}
+        return "simulator_paused" not in alarms and not station.status()["simulator"]["paused"]
+
+    await eventually_async(moves, "it flies on, and the alarm goes")
+    await eventually_async(lambda: moves() and station.hil.round_trip.answers > answers, "and it is measured again")
+
+
+async def test_an_aircraft_that_is_put_elsewhere_is_an_event_for_every_viewer(
+    station: Flight, simulator: Simulator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept: list[tuple[str, Mapping[str, Any]]] = []
+    monkeypatch.setattr(station.outlet, "event", lambda kind, data: kept.append((kind, data)))
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.simulator.datagrams == 1, "it is heard")
+    elsewhere = {**ROWS, 20: (28.4532, -13.8661, *ROWS[20][2:])}
+    simulator.send(build(Record(row, values) for row, values in elsewhere.items()))
+    await eventually_async(lambda: "simulator_jumped" in {kind for kind, _ in kept}, "the event comes")
+    (data,) = [data for kind, data in kept if kind == "simulator_jumped"]
+    assert data["distance_m"] == pytest.approx(160_000, rel=0.02)
+    assert data["latitude_deg"] == pytest.approx(28.4532)

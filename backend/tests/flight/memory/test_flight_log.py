@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 import structlog
 
-from epf_gcs.flight.memory.flight_log import FlightLog, say
 from epf_gcs.flight.memory import flight_log
+from epf_gcs.flight.memory.flight_log import FlightLog, say
 from epf_gcs.link.failures import lost_error
 
 ALARM = {"id": "battery_low", "level": "critical", "text": "10.1 V."}

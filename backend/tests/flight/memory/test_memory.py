@@ -13,8 +13,8 @@ import pytest
 import structlog
 
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.memory.memory import Memory, Remembered, _encode
 from epf_gcs.flight.memory import memory as memory_module
+from epf_gcs.flight.memory.memory import Memory, Remembered, _encode
 from epf_gcs.vehicle.wanted import Wanted
 from tests.support.waiting import eventually, eventually_async
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from epf_gcs.flights.report.figures import distances, round_trip, times
+from epf_gcs.flights.report.figures import distances, pauses, round_trip, times
 from epf_gcs.flights.report.making import report
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
@@ -197,7 +197,7 @@ def test_no_rate_of_climb_is_told_over_a_gap() -> None:
 
 
 def test_answers_without_a_question_are_no_round_trip() -> None:
-    assert round_trip(np.empty(0), np.array([float(START_NS)])) is None
+    assert round_trip(np.empty(0), np.array([float(START_NS)]), []) is None
 
 
 def test_a_leg_without_places_still_has_its_time() -> None:
@@ -206,3 +206,17 @@ def test_a_leg_without_places_still_has_its_time() -> None:
     assert legs
     assert all(one["leg"]["across_rms_m"] is None and one["leg"]["distance_m"] is None for one in legs)
     assert all(one["trace"] is None for one in legs)
+
+
+def test_a_pause_of_the_simulator_is_left_out_of_the_round_trip() -> None:
+    asked = START_NS + np.arange(400.0) * 20_000_000
+    answered = asked + 30_000_000
+    alarm = {"kind": "alarm", "name": "simulator_paused", "t_ns": START_NS + 2_000_000_000}
+    paused = pauses([{**alarm, "until_ns": START_NS + 5_000_000_000}])
+    with_pause, without = round_trip(asked, answered, []), round_trip(asked, answered, paused)
+    assert with_pause is not None
+    assert without is not None
+    assert (with_pause["count"], without["count"]) == (400, 250)
+    assert without["longest"] == pytest.approx(30.0, abs=0.01), "the pairs after it are not shifted"
+    assert pauses([{**alarm, "until_ns": None}])[0][1] > START_NS + 10**15
+    assert pauses([{**alarm, "name": "hil_lost", "until_ns": None}]) == []

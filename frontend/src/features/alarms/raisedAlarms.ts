@@ -158,6 +158,7 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   line_floods: (facts) => isFresh("heartbeat", facts),
   profile_wrong: ({ status: { simulator } }) =>
     simulator.state === "open" && simulator.fitting_profile === simulator.profile,
+  simulator_paused: (facts) => facts.status.simulator.state === "open" && isFresh("simulator", facts),
   frames_damaged: (facts) => facts.damagedLastSecond === 0 && isFresh("heartbeat", facts),
   recorder_failed: ({ status }) => status.recording.active && status.recording.failure === null,
   battery_low: (facts) => isFresh("analog", facts),

@@ -17,6 +17,7 @@ const GROUP_OF: Readonly<Record<string, EventGroup>> = {
   advice: "advice",
   mode: "mode",
   control: "mode",
+  jump: "mode",
   waypoint: "waypoint",
   mark: "mark",
 };
@@ -76,6 +77,8 @@ export function eventMessage(event: FlightEvent): Message {
         bytes: numberOf(data["bytes"]),
         reason: textOf(data["reason"], name),
       });
+    case "jump":
+      return info("flightEvent.jump", { distance_m: numberOf(data["distance_m"]) });
     default:
       return { ...info(`flightEvent.${kind}`), fallback: `${kind} ${name}` };
   }

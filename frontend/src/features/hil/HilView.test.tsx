@@ -1,6 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, expect, test } from "vitest";
+import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
 
 let station: Station;
@@ -64,4 +65,22 @@ test("the HIL plan is stepped by its own commands", async () => {
   const plan = screen.getByRole("region", { name: "Parámetros del Flight Management System" });
   await userEvent.setup().click(within(plan).getByRole("button", { name: "Previous" }));
   expect(station.asked[0]).toMatchObject({ path: "/api/v1/commands/hil_fms_previous_waypoint" });
+});
+
+test("a simulator that is paused is said to be, and none of its values looks live, until it goes on", () => {
+  const values = { simulator: { pitch_deg: 5.5 } };
+  const looks = (): (string | undefined)[] =>
+    ["AHRS", "ADS", "GPS", "Gyros", "AoA, paths", "Mach, VVI, Gload"].map(
+      (name) =>
+        screen.getByRole("region", { name }).querySelector<HTMLElement>(".ui-badge")?.dataset["state"],
+    );
+  const { simulator } = aStatus();
+  station.status(aStatus({ simulator: { ...simulator, paused: true } }));
+  station.send(values);
+  expect(screen.queryByText(/^X-Plane está en pausa/)).not.toBeNull();
+  expect(new Set(looks())).toEqual(new Set(["stale"]));
+  station.status(aStatus());
+  station.send(values);
+  expect(screen.queryByText(/^X-Plane está en pausa/)).toBeNull();
+  expect(new Set(looks())).toEqual(new Set(["live"]));
 });

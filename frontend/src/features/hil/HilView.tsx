@@ -12,6 +12,7 @@ import {
 } from "../../readouts/notations";
 import { type ReadoutGroup, ReadoutPanel } from "../../readouts/ReadoutTable";
 import { StreamPanel } from "../../readouts/StreamPanel";
+import { useConnection } from "../../store/hooks";
 import "./hil.css";
 
 /** The six groups of the simulator's rows. */
@@ -85,8 +86,14 @@ const GROUPS: readonly ReadoutGroup[] = [
 /** "HIL": what the simulator says, what the board answers, and the plan that it flies there. */
 export function HilView() {
   const { t } = useTranslation();
+  const isPaused = useConnection(
+    ({ phase, status }) => phase === "open" && status?.simulator.paused === true,
+  );
   return (
-    <div className="hil">
+    <div className="hil" data-paused={isPaused}>
+      <p role="status" className="hil-paused">
+        {isPaused && <strong>{t("hil.paused")}</strong>}
+      </p>
       {GROUPS.map((group) => (
         <ReadoutPanel key={group.titleKey} {...group} />
       ))}

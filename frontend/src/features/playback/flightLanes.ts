@@ -12,6 +12,7 @@ const LANE_OF: Readonly<Record<string, Lane>> = {
   plan: "command",
   mode: "mode",
   control: "mode",
+  jump: "mode",
   alarm: "alarm",
   damage: "alarm",
   link: "alarm",

@@ -52,6 +52,8 @@ class Hil:
         self.stick = stick
         self._unshown: deque[Reading] = deque(maxlen=_MOST_UNSHOWN)
         self._show_due = False
+        # At the newest frame that was shown: the HIL path does not compute it.
+        self._was_paused = False
         self.path: Path = "manual"
         # Set by the composition root: called when the surfaces were taken from the board.
         self.on_taken: Callable[[], None] | None = None
@@ -109,6 +111,11 @@ class Hil:
             )
 
     @property
+    def is_paused(self) -> bool:
+        """Whether the simulator is paused: rows come, but an aircraft in flight hangs still in them."""
+        return self._samples.motion.is_paused(self._clock.now_s())
+
+    @property
     def arrivals(self) -> Mapping[int, Arrivals]:
         """Arrival statistics of each row, by row number; Unix times."""
         return self._samples.arrivals
@@ -160,7 +167,7 @@ class Hil:
             self.last_surfaces_s = now_s
             if self.path == "assisted":
                 self._move(Surfaces(*frame.values))
-            self.round_trip.answered(now_s)
+            self.round_trip.answered(now_s, is_counted=not self._was_paused)
         elif self.path == "manual" and self.source == "rc":
             self._move(surfaces_from_servos_in(frame.values))
 
@@ -208,6 +215,7 @@ class Hil:
         self._show_due = False
         while self._unshown:
             self._samples.show(self._unshown.popleft())
+        self._was_paused = self.is_paused
         if self.path == "assisted" and self._samples.is_profile_wrong:
             self._take_surfaces()
         self._telemetry.flush()

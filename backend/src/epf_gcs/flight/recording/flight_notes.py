@@ -11,9 +11,12 @@ from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import EVENT, MARK
+from epf_gcs.vehicle.simulator_motion import JUMPED
 
 # Events that say more than the bytes of the lines do.
-_NOTED: Final = frozenset({"advice", "alarm", "board_restarted", "command", "link", "mission", "parameter", "stick"})
+_NOTED: Final = frozenset(
+    {"advice", "alarm", "board_restarted", "command", "link", "mission", "parameter", JUMPED, "stick"}
+)
 
 
 class FlightNotes:

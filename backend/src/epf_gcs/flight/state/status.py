@@ -125,6 +125,7 @@ def _simulator(parts: StatusSources) -> dict[str, Any]:
         "rows": hil.rows,
         "missing_rows": hil.missing_rows if simulator.state == "open" else [],
         "unusable": [value.params for value in hil.unusable] if simulator.state == "open" else [],
+        "paused": hil.is_paused,
         "advice": _advice(parts),
         "datagrams_received": simulator.datagrams,
         "datagrams_dropped": sum(simulator.dropped.values()),

@@ -122,4 +122,5 @@ class Watch:
             is_simulator_open=self._simulator.state == "open",
             missing_rows=hil.missing_rows,
             unusable=hil.unusable,
+            is_paused=hil.is_paused,
         )

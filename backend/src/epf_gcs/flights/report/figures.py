@@ -32,6 +32,9 @@ _ALTITUDE: Final = (
 )
 
 Figures = dict[str, Any]
+Pauses = list[tuple[int, int]]
+# Later than any flight ends.
+_END_NS: Final = 2**63 - 1
 
 
 def times(flight: FlightData) -> Figures:
@@ -76,7 +79,7 @@ def battery(flight: FlightData) -> Figures | None:
     }
 
 
-def link(summary: Figures, asked_ns: Array, answered_ns: Array) -> Figures:
+def link(summary: Figures, asked_ns: Array, answered_ns: Array, pauses: Pauses) -> Figures:
     """Frames, damage, silences and the HIL round trip in ms from the times (Unix ns) of both kinds of frame."""
     frames, damaged = summary.get("frames"), summary.get("frames_damaged")
     gaps_s = [(gap[1] - gap[0]) * _NS for gap in summary.get("gaps") or []]
@@ -88,11 +91,20 @@ def link(summary: Figures, asked_ns: Array, answered_ns: Array) -> Figures:
         "gaps": len(gaps_s),
         "gaps_s": sum(gaps_s),
         "longest_gap_s": max(gaps_s, default=None),
-        "round_trip_ms": round_trip(asked_ns, answered_ns),
+        "round_trip_ms": round_trip(asked_ns, answered_ns, pauses),
     }
 
 
-def round_trip(asked_ns: Array, answered_ns: Array) -> Figures | None:
+def pauses(events: list[Event]) -> Pauses:
+    """From and to (Unix ns) of the stretches in which the simulator was paused."""
+    return [
+        (event["t_ns"], _END_NS if event["until_ns"] is None else event["until_ns"])
+        for event in events
+        if event["kind"] == "alarm" and event["name"] == "simulator_paused"
+    ]
+
+
+def round_trip(asked_ns: Array, answered_ns: Array, pauses: Pauses) -> Figures | None:
     """Median and extremes of what the station measured live, from the same pairing; None without answers."""
     trips = RoundTrip()
     found: list[float] = []
@@ -101,7 +113,8 @@ def round_trip(asked_ns: Array, answered_ns: Array) -> Figures | None:
     for place in np.lexsort((kinds, moments)).tolist():
         if kinds[place]:
             before = trips.answers
-            trips.answered(float(moments[place]) * _NS)
+            is_paused = any(begin <= moments[place] <= end for begin, end in pauses)
+            trips.answered(float(moments[place]) * _NS, is_counted=not is_paused)
             newest = trips.newest_ms
             if trips.answers > before and newest is not None:
                 found.append(newest)

@@ -12,7 +12,7 @@ from epf_gcs.flights.events import Event, read_events
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.indexed import Columns, not_indexed, open_indexed
 from epf_gcs.flights.report.compare import loops
-from epf_gcs.flights.report.figures import alarms, battery, distances, link, marks, times, unknown
+from epf_gcs.flights.report.figures import alarms, battery, distances, link, marks, pauses, times, unknown
 from epf_gcs.flights.report.found import manoeuvres
 from epf_gcs.flights.report.gains import gain_changes, last_gains
 from epf_gcs.flights.signals import Array
@@ -49,7 +49,7 @@ def report(
         "times": times(flight),
         "distances": distances(flight, summary),
         "battery": battery(flight),
-        "link": link(summary, asked_ns, answered_ns),
+        "link": link(summary, asked_ns, answered_ns, pauses(events)),
         "alarms": alarms(events, flight.start_ns),
         "marks": marks(events, flight.start_ns),
         "manoeuvres": moves,

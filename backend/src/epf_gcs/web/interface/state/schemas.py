@@ -99,6 +99,7 @@ class SimulatorStatus(Output):
     """The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken.
 
     `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
+    `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live.
     """
 
     state: LinkState
@@ -111,6 +112,7 @@ class SimulatorStatus(Output):
     rows: list[int]
     missing_rows: list[int]
     unusable: list[UnusableValue]
+    paused: bool
     advice: str | None
     datagrams_received: int
     datagrams_dropped: int
