@@ -227,6 +227,7 @@ export function createPage(world: World): {
     setStick: actions.setStick,
     send: (text) => socket.offer(text),
     tell,
+    report: fail,
   });
   const alarmLog = createAlarmLog({
     ...asking,

@@ -52,6 +52,7 @@ export function useGamepadBlocked(): string | undefined {
   const isComplete = useGamepads(({ mapping }) =>
     STICK_AXES.every((axis) => axis === "rudder" || mapping?.[axis].input !== null),
   );
+  const awaited = useAwaitedAxes();
   if (gateway !== undefined) {
     return gateway;
   }
@@ -64,5 +65,14 @@ export function useGamepadBlocked(): string | undefined {
   if (!isComplete) {
     return t("gamepad.incomplete");
   }
-  return isEmulated ? t("problem.emulation_running") : undefined;
+  return isEmulated ? t("problem.emulation_running") : awaited;
+}
+
+/** The axes whose position is waited for, in a sentence; undefined if there are none. */
+export function useAwaitedAxes(): string | undefined {
+  const { t } = useTranslation();
+  const awaited = useGamepads((state) => state.awaited);
+  return awaited.length === 0
+    ? undefined
+    : t("gamepad.awaited", { axes: awaited.map((axis) => t(`control.${axis}`)).join(", ") });
 }
