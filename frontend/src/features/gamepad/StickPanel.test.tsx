@@ -52,7 +52,9 @@ function samples(): Array<Record<string, unknown>> {
 
 /** What the panel says of axes whose position is not known. */
 function awaited(): string | undefined {
-  return within(panel()).queryByText(/^Esperando ejes/, { selector: "p" })?.textContent?.split(".")[0];
+  return within(panel())
+    .queryByText(/^Esperando ejes/, { selector: "p" })
+    ?.textContent?.split(".")[0];
 }
 
 /** Every axis there and back, as a pilot checks them. */

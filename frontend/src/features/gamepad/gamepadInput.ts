@@ -127,7 +127,11 @@ export function createGamepadInput(parts: Parts): {
     store.setState({ awaited: axes });
     if (awaited.length === 0 && flies()) {
       const { selected } = store.getState();
-      parts.tell({ level: "warning", key: "gamepad.awaitedInFlight", params: { gamepad: selected?.id ?? "" } });
+      parts.tell({
+        level: "warning",
+        key: "gamepad.awaitedInFlight",
+        params: { gamepad: selected?.id ?? "" },
+      });
     }
   }
 

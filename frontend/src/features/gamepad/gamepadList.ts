@@ -60,5 +60,11 @@ export interface GamepadInput {
 export const GAMEPADS = partName<GamepadInput>("gamepads");
 
 export function createGamepads(): GamepadStore {
-  return createStore<Gamepads>(() => ({ pads: [], selected: null, mapping: null, assigning: null, awaited: [] }));
+  return createStore<Gamepads>(() => ({
+    pads: [],
+    selected: null,
+    mapping: null,
+    assigning: null,
+    awaited: [],
+  }));
 }

@@ -14,9 +14,8 @@ export function useTouchBlocked(): string | undefined {
   );
   const isEmulated = useConnection(({ status }) => status?.board.emulated === true);
   const isSimulated = useConnection(({ status }) => status?.simulator.state === "open");
-  const isJoystick = useTelemetry((telemetry, now_ms) =>
-    telemetry.liveFlag("heartbeat", "source_joystick", now_ms),
-  );
+  // By a late heartbeat too: nobody has said that RC is the source, and the finger must not lose the stick for it.
+  const isJoystick = useTelemetry((telemetry) => telemetry.newestFlag("heartbeat", "source_joystick"));
   const other = useConnection(({ status }) => otherGamepad(status?.hil.stick?.gamepad));
   if (gateway !== undefined) {
     return gateway;
