@@ -134,7 +134,8 @@ describe("with RC as source", () => {
   test("the transmitter's flags are shown, and its switch decides", async () => {
     const station = flying({ source_joystick: false, autopilot: true });
     expect(position("Autopilot")).toBe("on");
-    expect(control("Autopilot").getAttribute("aria-disabled")).toBe("true");
+    const on = within(control("Autopilot")).getByRole("radio", { name: "On" });
+    expect(on.getAttribute("aria-disabled")).toBe("true");
     expect(within(control("Autopilot")).getByText(/manda el interruptor del transmisor/)).toBeTruthy();
     await press("Autopilot", "On");
     expect(station.asked).toEqual([]);

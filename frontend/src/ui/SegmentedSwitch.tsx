@@ -64,7 +64,9 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
         data-state={state}
         data-known={value !== null}
         aria-describedby={note === "" ? undefined : noteId}
-        aria-disabled={disabled || undefined}
+        data-disabled={disabled}
+        // Said of the group it would be true of every position.
+        aria-disabled={(disabled && !options.some(({ always }) => always === true)) || undefined}
       >
         <legend className={hideLabel === true ? "visually-hidden" : "ui-switch-label"}>{label}</legend>
         <span className="ui-switch-box">
