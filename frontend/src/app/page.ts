@@ -198,6 +198,7 @@ export function createPage(world: World): {
       }
     },
     onMalformed: malformed,
+    report: fail,
   });
   const rest = new Rest({
     fetch: world.fetch,

@@ -1,5 +1,5 @@
 import { isText, nullable, oneOf, shape } from "../../lib/check";
-import { eachGuarded } from "../../lib/eachGuarded";
+import { GuardedCalls } from "../../lib/guardedCalls";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { Actions } from "../../requests/actions";
@@ -36,7 +36,7 @@ interface Parts {
   readonly setStick: Actions["setStick"];
   readonly send: (text: string) => void;
   readonly tell: (message: Message) => void;
-  /** Hears once of a run of exceptions, until a step has none. */
+  /** Hears once of each painter that throws, and of each run of steps that fail. */
   readonly report: (error: unknown) => void;
 }
 
@@ -73,6 +73,7 @@ export function createGamepadInput(parts: Parts): {
   const movedAxes = new MovedAxes();
   let before: Pad | null = null;
   let asking = 0;
+  const calls = new GuardedCalls(parts.report);
   let wasFailing = false;
 
   /** Whether the gateway uses this page's gamepad as the stick. */
@@ -192,21 +193,17 @@ export function createGamepadInput(parts: Parts): {
 
   /** Whatever one step throws, the next one comes: the stick must not stop because a bar could not be painted. */
   function step(): void {
-    let isFailing = false;
-    const fail = (error: unknown): void => {
-      if (!(isFailing || wasFailing)) {
-        parts.report(error);
-      }
-      isFailing = true;
-    };
     let positions = NOWHERE;
     try {
       positions = read();
+      wasFailing = false;
     } catch (error) {
-      fail(error);
+      if (!wasFailing) {
+        parts.report(error);
+      }
+      wasFailing = true;
     }
-    eachGuarded(watchers, (paint) => paint(positions), fail);
-    wasFailing = isFailing;
+    calls.each(watchers, (paint) => paint(positions));
     const isBusy = watchers.size > 0 || asking > 0 || flies();
     cancelTimer = timers.after(isBusy ? SAMPLE_EVERY_MS : SEARCH_EVERY_MS, step);
   }
