@@ -3,7 +3,7 @@ import { bytesOf } from "../checklist/captured.js";
 import { type Entry, MENUS, RESET } from "../checklist/menus.js";
 import { GAIN_NAMES } from "../checklist/screens.js";
 import { expect, open, test } from "../support/fixtures.js";
-import { closeMenu, entryOf, openMenu, press } from "../support/menu.js";
+import { closeMenu, entryOf, openMenu } from "../support/menu.js";
 import type { Station } from "../support/station.js";
 
 /** On a legacy board nothing but what is asked for goes over the line, so the bytes can be compared whole. */
@@ -52,7 +52,7 @@ async function everyMenu(desk: Desk): Promise<void> {
         await sends(desk, what, [bytesOf(first), bytesOf(second)], async () => {
           for (const checked of [false, true]) {
             const answered = page.waitForResponse(/\/api\/v1\/commands\//);
-            await press(page, entryOf(page, entry));
+            await entryOf(page, entry).click();
             await answered;
             await expect(entryOf(page, entry)).toBeChecked({ checked });
           }

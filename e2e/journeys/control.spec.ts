@@ -10,8 +10,8 @@ test("one operator has control at a time: the second page watches until the firs
 
   const second = await context.newPage();
   await open(second, flying);
-  const off = second.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" });
-  await expect(off).toBeDisabled();
+  const on = second.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "On" });
+  await expect(on).toBeDisabled();
   await expect(second.getByText("Tienes el control", { exact: true })).toHaveCount(0);
 
   // In the narrowest window with menus nothing of the first row is cut, also while another has control.
@@ -24,8 +24,8 @@ test("one operator has control at a time: the second page watches until the firs
   await page.getByRole("button", { name: "Soltar" }).click();
   await second.getByRole("button", { name: "Tomar el control" }).click();
   await expect(second.getByText("Tienes el control", { exact: true })).toBeVisible();
-  await expect(off).toBeEnabled();
-  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" })).toBeDisabled();
+  await expect(on).toBeEnabled();
+  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "On" })).toBeDisabled();
 
   await second.close();
   // A lost operator's control goes to whoever has watched longest, after some seconds for a page that is only reloaded.

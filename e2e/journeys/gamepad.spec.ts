@@ -19,6 +19,10 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
 
   await gamepad.hold(0, 0, 0, 0);
   await expect(panel.getByRole("combobox", { name: "Mando" })).toContainText("Journey Pad");
+  await expect(panel).toContainText("Esperando ejes: Elevator, Aileron, Rudder, Throttle.");
+  await gamepad.hold(0.5, 0.5, 0.5, 0.5);
+  await expect(panel).not.toContainText("Esperando ejes");
+  await gamepad.hold(0, 0, 0, 0);
   await panel.getByText("Mando de este navegador", { exact: true }).click();
   await expect(browser).toBeChecked();
   await expect(controls).toContainText("Mando");
@@ -42,6 +46,9 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
   await expect.poll(async () => await flying.surfaces(), "what the simulator moves").toEqual([0, 0, 0]);
 
   await gamepad.hold(0, -0.55, 0, 0);
+  await expect(panel).toContainText("Esperando ejes: Elevator, Aileron, Rudder, Throttle.");
+  expect(await told(), "nobody knows yet where its axes stand").toEqual([0, 0, 0, 0]);
+  await panel.getByRole("button", { name: "Las barras son correctas" }).click();
   await expect.poll(told, "it counts again").toEqual([0, 0, 0, 0.5]);
   await page.getByRole("button", { name: "Soltar" }).click();
   await expect

@@ -84,12 +84,12 @@ describe("what is measured", () => {
 });
 
 describe("the gateway's silence", () => {
-  test("is an alarm on every tab and stops every control", () => {
+  test("is an alarm on every tab and stops every control but Manual", () => {
     const station = flying();
     station.pass(1400);
     expect(screen.getByRole("alert").textContent).toContain("La estación no dice nada");
     expect(reading(left(), "Pitch").state).toBe("stale");
-    const path = screen.getByRole("group", { name: "X-Plane" });
+    const path = screen.getByRole("radio", { name: "Ordenador de a bordo" });
     expect(path.getAttribute("aria-disabled")).toBe("true");
   });
 

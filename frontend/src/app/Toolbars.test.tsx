@@ -1,4 +1,4 @@
-import { screen, within } from "@testing-library/react";
+import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import { aStatus, heldBy } from "../test/aStatus";
@@ -134,10 +134,13 @@ describe("with RC as source", () => {
   test("the transmitter's flags are shown, and its switch decides", async () => {
     const station = flying({ source_joystick: false, autopilot: true });
     expect(position("Autopilot")).toBe("on");
-    expect(control("Autopilot").getAttribute("aria-disabled")).toBe("true");
+    const on = within(control("Autopilot")).getByRole("radio", { name: "On" });
+    expect(on.getAttribute("aria-disabled")).toBe("true");
     expect(within(control("Autopilot")).getByText(/manda el interruptor del transmisor/)).toBeTruthy();
-    await press("Autopilot", "Off");
+    await press("Autopilot", "On");
     expect(station.asked).toEqual([]);
+    station.show();
+    expect(lastMessage()).toContain("No se ha hecho nada. Con RC como fuente manda");
   });
 
   test("the source can be changed back", async () => {
@@ -145,6 +148,46 @@ describe("with RC as source", () => {
     await press("Fuente", "Joystick");
     expect(newest(station)).toMatchObject({ path: "/api/v1/hil", body: { source: "joystick" } });
   });
+});
+
+describe("Autopilot Off and Manual are asked for at every press", () => {
+  const without = { ...aStatus().board, state: "closed", url: null, mode: null } as const;
+
+  test.each([
+    ["without a board", (station: Station) => station.status(aStatus({ board: without }))],
+    ["as a viewer", (station: Station) => station.status(aStatus({ control: heldBy("c2", "Ana") }))],
+    ["while the station is silent", (station: Station) => station.pass(1400)],
+    ["while the line to the station is broken", (station: Station) => station.breakOff()],
+    ["where the switches stand there already", (station: Station) => flyByHand(station)],
+    [
+      "with RC as source",
+      (station: Station) => station.send({ heartbeat: { ...heartbeat, source_joystick: false } }),
+    ],
+  ])("%s", async (_when, happens) => {
+    const station = flying();
+    happens(station);
+    await press("Autopilot", "Off");
+    await press("X-Plane", "Manual");
+    expect(station.asked.map(({ path }) => path)).toEqual(["/api/v1/commands/autopilot_off", "/api/v1/hil"]);
+    await station.asked[0]?.answer({ code: "control_held", detail: "", params: { name: "Ana" } }, 409);
+    expect(lastMessage()).toContain("El control lo tiene Ana");
+  });
+
+  test("in the past they are answered: nothing of it goes to the board", async () => {
+    const station = flying();
+    station.openFlight("20260131T120000Z", 10);
+    const before = station.asked.length;
+    await press("Autopilot", "Off");
+    await act(async () => undefined);
+    station.show();
+    expect(station.asked.slice(before).filter(({ method }) => method !== "GET")).toEqual([]);
+    expect(lastMessage()).toContain("pasado");
+  });
+
+  function flyByHand(station: Station): void {
+    station.status(aStatus({ hil: { ...aStatus().hil, path: "manual" } }));
+    expect([position("Autopilot"), position("X-Plane")]).toEqual(["off", "manual"]);
+  }
 });
 
 describe("a control that cannot be used says why", () => {
@@ -155,6 +198,8 @@ describe("a control that cannot be used says why", () => {
     expect(within(control("Autopilot")).getByText("No hay enlace con la placa.")).toBeTruthy();
     await press("Autopilot", "On");
     expect(station.asked).toEqual([]);
+    station.show();
+    expect(lastMessage()).toContain("No se ha hecho nada. No hay enlace con la placa.");
   });
 
   test("as a viewer", () => {

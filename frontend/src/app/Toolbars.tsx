@@ -55,7 +55,7 @@ function OnOffSwitch({ name, on, off, read }: OnOffProps) {
       label={t(`flag.${name}`)}
       options={[
         { value: "on", label: t("words.on") },
-        { value: "off", label: t("words.off") },
+        { value: "off", label: t("words.off"), always: name === "autopilot" },
       ]}
       value={value}
       wanted={wanted === "on" || wanted === "off" ? wanted : null}
@@ -77,7 +77,12 @@ function PathSwitch() {
     <SegmentedSwitch
       label={t("toolbar.path")}
       options={[
-        { value: "manual", label: t("path.manual"), icon: <Hand aria-hidden="true" size={14} /> },
+        {
+          value: "manual",
+          label: t("path.manual"),
+          icon: <Hand aria-hidden="true" size={14} />,
+          always: true,
+        },
         { value: "assisted", label: t("path.assisted"), icon: <Cpu aria-hidden="true" size={14} /> },
       ]}
       value={value}

@@ -198,6 +198,7 @@ export function createPage(world: World): {
       }
     },
     onMalformed: malformed,
+    report: fail,
   });
   const rest = new Rest({
     fetch: world.fetch,
@@ -227,6 +228,7 @@ export function createPage(world: World): {
     setStick: actions.setStick,
     send: (text) => socket.offer(text),
     tell,
+    report: fail,
   });
   const alarmLog = createAlarmLog({
     ...asking,

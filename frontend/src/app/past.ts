@@ -90,6 +90,7 @@ export function createPasts(parts: PastParts): Pasts {
         listener.onLine(kind === "open");
       },
       onMalformed: parts.onMalformed,
+      report: parts.report,
     });
     seen = vehicle;
     shown.setState({ page: made.page });
@@ -133,7 +134,7 @@ function createPast(
   const pastAsking: AskingParts = { ...asking, commands: createCommands() };
   const servos = createServoSliders({ rest, timers, client, tell: () => undefined });
   const console_ = createBoardConsole({ rest, wall_ms: moment_ms });
-  const known = createKnownAt(ask, timers);
+  const known = createKnownAt(ask, timers, report);
   const parameters = createPastParameters(known, pastAsking);
   const plans = createPastPlans(known, present.saveFile, pastAsking);
   const track = createPastTrack({ rest, place, report });

@@ -1,3 +1,4 @@
+import { GuardedCalls } from "../lib/guardedCalls";
 import type { Timers } from "../lib/timers";
 import { type FlightKnown, isFlightKnown } from "../protocol/guards.gen";
 import type { AskReplay } from "./streamQuestions";
@@ -15,15 +16,14 @@ export interface KnownAt {
 const FORGET_MS = 250;
 
 /** While a flight is played, its events say what changes. At each other moment, what was known then is asked for. */
-export function createKnownAt(ask: AskReplay, timers: Timers): KnownAt {
+export function createKnownAt(ask: AskReplay, timers: Timers, report: (error: unknown) => void): KnownAt {
+  const calls = new GuardedCalls(report);
   const listeners: Array<(known: FlightKnown | null) => void> = [];
   let asked = 0;
   let cancel: () => void = () => undefined;
 
   function tell(known: FlightKnown | null): void {
-    for (const hear of listeners) {
-      hear(known);
-    }
+    calls.each(listeners, (hear) => hear(known));
   }
 
   function drop(): void {

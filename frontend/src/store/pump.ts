@@ -1,4 +1,5 @@
 import type { AnimationFrames } from "../lib/animationFrames";
+import { GuardedCalls } from "../lib/guardedCalls";
 import { NUMBER_PERIOD_MS, Pace } from "../lib/pace";
 import { RedrawBudget } from "./paintBudget";
 
@@ -14,9 +15,7 @@ export type Paint = (now_ms: number) => void;
 export class Pump {
   readonly #animationFrames: AnimationFrames;
   readonly #revision: () => number;
-  readonly #onFailure: (error: unknown) => void;
-  /** Painters that threw and were reported. */
-  readonly #reported = new WeakSet<Paint>();
+  readonly #calls: GuardedCalls;
   readonly #painters: Readonly<Record<PaintRate, Set<Paint>>> = { movement: new Set(), text: new Set() };
   #handle: number | null = null;
   readonly #budget = new RedrawBudget();
@@ -38,7 +37,7 @@ export class Pump {
     this.#animationFrames = animationFrames;
     this.#revision = revision;
     this.#now_ms = now_ms;
-    this.#onFailure = onFailure;
+    this.#calls = new GuardedCalls(onFailure);
   }
 
   /** Time of the newest text round: all that is decided by time in React agrees on it. */
@@ -93,15 +92,6 @@ export class Pump {
    * again in each round, because it may fail at one value and not at the next, and left out it would show an old one.
    */
   #run(rate: PaintRate, now_ms: number): void {
-    for (const paint of this.#painters[rate]) {
-      try {
-        paint(now_ms);
-      } catch (error) {
-        if (!this.#reported.has(paint)) {
-          this.#reported.add(paint);
-          this.#onFailure(error);
-        }
-      }
-    }
+    this.#calls.each(this.#painters[rate], (paint) => paint(now_ms));
   }
 }

@@ -5,13 +5,21 @@ import type { Pad } from "../features/gamepad/stickMapping";
 export class ManualGamepads implements GamepadReader {
   pads: readonly Pad[] = [];
   visible = true;
-  #changed: () => void = () => undefined;
+  #changed: (connected?: number) => void = () => undefined;
 
-  readonly read = (): readonly Pad[] => this.pads;
+  /** What reading them throws. */
+  failure: Error | null = null;
+
+  readonly read = (): readonly Pad[] => {
+    if (this.failure !== null) {
+      throw this.failure;
+    }
+    return this.pads;
+  };
 
   readonly isInSight = (): boolean => this.visible;
 
-  readonly onChange = (run: () => void): (() => void) => {
+  readonly onChange = (run: (connected?: number) => void): (() => void) => {
     this.#changed = run;
     return () => {
       this.#changed = () => undefined;
@@ -22,6 +30,12 @@ export class ManualGamepads implements GamepadReader {
   plug(...pads: readonly Pad[]): void {
     this.pads = pads;
     this.#changed();
+  }
+
+  /** Connect this gamepad again so fast that nobody has read the gamepads without it. */
+  plugAgain(pad: Pad): void {
+    this.pads = [pad];
+    this.#changed(pad.index);
   }
 }
 

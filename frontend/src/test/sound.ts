@@ -9,7 +9,12 @@ export class ManualSounder implements Sounder {
   readonly #listeners: Array<() => void> = [];
 
   readonly state = (): SounderState => this.#state;
+  /** What playing a tone throws. */
+  failure: Error | null = null;
   readonly play = (level: AlarmLevel): void => {
+    if (this.failure !== null) {
+      throw this.failure;
+    }
     this.played.push(level);
   };
   readonly hush = (): void => {

@@ -9,6 +9,16 @@ let wires: ManualWire[];
 let messages: StreamMessage[];
 let states: SocketState[];
 let malformed: number;
+/** What `onState` and `dial` throw once. */
+let fault: { readonly onState?: SocketState["kind"]; readonly dial?: true } = {};
+let reported: unknown[];
+
+function failOnce(is: boolean): void {
+  if (is) {
+    fault = {};
+    throw new Error("a listener");
+  }
+}
 let socket: StreamSocket;
 
 function wire(): ManualWire {
@@ -28,14 +38,21 @@ beforeEach(() => {
   messages = [];
   states = [];
   malformed = 0;
+  fault = {};
+  reported = [];
   socket = new StreamSocket({
     dial: (listener) => {
+      failOnce(fault.dial === true);
       wires.push(new ManualWire(listener));
       return wire();
     },
     timers,
     onMessage: (message) => messages.push(message),
-    onState: (state) => states.push(state),
+    onState: (state) => {
+      failOnce(fault.onState === state.kind);
+      states.push(state);
+    },
+    report: (error) => reported.push(error),
     onMalformed: () => {
       malformed += 1;
     },
@@ -74,6 +91,7 @@ describe("batches", () => {
       },
       onState: () => undefined,
       onMalformed: () => undefined,
+      report: () => undefined,
     });
     failing.start();
     expect(() => only[0]?.deliver(batch(3))).toThrow("broken receiver");
@@ -178,4 +196,26 @@ test("a stopped socket hangs up and does not come back", () => {
   timers.pass(60_000);
   expect(only.closed).toBe(true);
   expect(wires).toHaveLength(1);
+});
+
+describe("a fault of the page's own does not end the line", () => {
+  test.each([
+    ["when silence is said", { onState: "silent" }],
+    ["when the loss is said", { onState: "waiting" }],
+    ["when the next try is said", { onState: "connecting" }],
+    ["when it is dialled again", { dial: true }],
+  ] as const)("%s", (_when, what) => {
+    wire().deliver(status);
+    fault = what;
+    timers.pass(30_000);
+    expect(wires.length, "it was dialled again and again").toBeGreaterThan(2);
+    expect(reported).toHaveLength(1);
+  });
+
+  test("when it is said to be open: the batch is taken and acknowledged", () => {
+    fault = { onState: "open" };
+    wire().deliver(batch(3));
+    expect(messages).toHaveLength(1);
+    expect(wire().sent).toEqual(['{"type":"ack","seq":3}']);
+  });
 });

@@ -33,6 +33,8 @@ export interface SocketOptions {
   readonly onState: (state: SocketState) => void;
   /** A message that is not as agreed: dropped here, counted by the receiver of this call. */
   readonly onMalformed: () => void;
+  /** Hears of exceptions of `dial` and `onState`, which do not keep the line from being dialled again. */
+  readonly report: (error: unknown) => void;
 }
 
 /** The gateway sends its status twice a second, so a second of nothing means that something is wrong. */
@@ -92,11 +94,18 @@ export class StreamSocket {
   #dial(): void {
     this.#become({ kind: "connecting" });
     this.#heard_ms = this.#options.timers.now_ms();
-    const wire: Wire = this.#options.dial({
-      // What an old line still has to say must not be taken for the new one's.
-      onMessage: (data) => this.#wire === wire && this.#receive(wire, data),
-      onClose: () => this.#wire === wire && this.#lost(),
-    });
+    let wire: Wire | null = null;
+    try {
+      wire = this.#options.dial({
+        // What an old line still has to say must not be taken for the new one's.
+        onMessage: (data) => wire !== null && this.#wire === wire && this.#receive(wire, data),
+        onClose: () => wire !== null && this.#wire === wire && this.#lost(),
+      });
+    } catch (error) {
+      this.#options.report(error);
+      this.#lost();
+      return;
+    }
     this.#wire = wire;
     this.#looked_ms = this.#heard_ms;
     this.#watch();
@@ -177,7 +186,11 @@ export class StreamSocket {
 
   #become(state: SocketState): void {
     this.#state = state;
-    this.#options.onState(state);
+    try {
+      this.#options.onState(state);
+    } catch (error) {
+      this.#options.report(error);
+    }
   }
 }
 

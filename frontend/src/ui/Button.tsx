@@ -1,4 +1,5 @@
 import { type ReactNode, useId } from "react";
+import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
 import type { CommandState } from "./states";
 import { Tooltip } from "./Tooltip";
@@ -13,7 +14,7 @@ interface Props {
   state?: CommandState | undefined;
   /** More than the state's word: the reason of a refusal. */
   stateText?: string | undefined;
-  /** Why it is disabled. It stays in the tab order, so that everybody can learn the reason. */
+  /** Why it is disabled. It stays in the tab order, and answers a press with the reason. */
   disabledReason?: string | undefined;
   icon?: ReactNode;
   /** For a button that is on or off. */
@@ -29,6 +30,7 @@ export function Button(props: Props) {
   const { icon, pressed, label, type = "button" } = props;
   const words = useWords();
   const noteId = useId();
+  const press = usePress(disabledReason);
   const disabled = disabledReason !== undefined;
   const outcome = stateText ?? commandWord(words, state);
   const note = disabledReason ?? outcome;
@@ -46,10 +48,10 @@ export function Button(props: Props) {
           aria-describedby={note === "" ? undefined : noteId}
           onClick={(event) => {
             if (disabled) {
+              // A submit button must not submit its form either.
               event.preventDefault();
-              return;
             }
-            onPress();
+            press(onPress);
           }}
         >
           {icon}

@@ -1,4 +1,5 @@
 import { useId } from "react";
+import { usePress } from "./refusal";
 import { Tooltip } from "./Tooltip";
 import "./Checkbox.css";
 
@@ -12,6 +13,7 @@ interface Props {
 /** A native checkbox: every keyboard and screen reader knows it. It takes effect at once. */
 export function Checkbox({ label, checked, onChange, disabledReason }: Props) {
   const noteId = useId();
+  const press = usePress(disabledReason);
   const disabled = disabledReason !== undefined;
   return (
     <Tooltip text={disabledReason ?? ""}>
@@ -22,7 +24,8 @@ export function Checkbox({ label, checked, onChange, disabledReason }: Props) {
           aria-disabled={disabled || undefined}
           aria-describedby={disabled ? noteId : undefined}
           onChange={(event) => {
-            if (!disabled) onChange(event.currentTarget.checked);
+            const { checked: asked } = event.currentTarget;
+            press(() => onChange(asked));
           }}
         />
         <span>{label}</span>

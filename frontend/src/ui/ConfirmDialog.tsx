@@ -1,6 +1,7 @@
 import { AlertDialog } from "@base-ui/react/alert-dialog";
 import { useRef } from "react";
 import { Button } from "./Button";
+import { focusNow } from "./focusNow";
 import { useOpened } from "./openDialogs";
 import "./Dialog.css";
 
@@ -26,10 +27,7 @@ export function ConfirmDialog(props: Props) {
     <AlertDialog.Root open onOpenChange={(open) => open || onCancel()}>
       <AlertDialog.Portal>
         <AlertDialog.Backdrop className="ui-dialog-backdrop" />
-        <AlertDialog.Popup
-          className="ui-dialog"
-          initialFocus={() => foot.current?.querySelector("button") ?? true}
-        >
+        <AlertDialog.Popup className="ui-dialog" initialFocus={() => focusNow(foot.current)}>
           <header className="ui-dialog-head">
             <AlertDialog.Title className="ui-dialog-title">{title}</AlertDialog.Title>
           </header>

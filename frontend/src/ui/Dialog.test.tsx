@@ -1,6 +1,7 @@
-import { screen } from "@testing-library/react";
+import { act, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { expect, test, vi } from "vitest";
+import { useState } from "react";
+import { afterEach, describe, expect, test, vi } from "vitest";
 import { ConfirmDialog } from "./ConfirmDialog";
 import { Dialog } from "./Dialog";
 import { renderWithWords } from "./test/testWords";
@@ -66,3 +67,68 @@ test("and declined with the other, and with Escape", async () => {
   expect(onCancel).toHaveBeenCalledTimes(2);
   expect(onConfirm).not.toHaveBeenCalled();
 });
+
+describe("before the next animation frame", () => {
+  const held: FrameRequestCallback[] = [];
+
+  /** A page so busy that the keys come before the animation frame after the dialog. */
+  function holdAnimationFrames(): void {
+    held.length = 0;
+    vi.stubGlobal("requestAnimationFrame", (run: FrameRequestCallback) => held.push(run));
+    vi.stubGlobal("cancelAnimationFrame", () => undefined);
+  }
+
+  function show(): void {
+    act(() => {
+      for (const run of held.splice(0)) {
+        run(0);
+      }
+    });
+  }
+
+  afterEach(() => vi.unstubAllGlobals());
+
+  test("Tab and Enter confirm a question: its safe answer has the focus at once", async () => {
+    holdAnimationFrames();
+    renderWithWords(
+      <>
+        <button type="button">Manual</button>
+        <button type="button">Assisted</button>
+      </>,
+    );
+    screen.getByRole("button", { name: "Manual" }).focus();
+    const { onConfirm, onCancel } = ask();
+    const user = userEvent.setup({ delay: null });
+    // What a browser has run before the next key arrives.
+    await act(async () => undefined);
+    await user.tab();
+    show();
+    await user.keyboard("{Enter}");
+    expect([onConfirm.mock.calls.length, onCancel.mock.calls.length]).toEqual([1, 0]);
+  });
+
+  test("the focus is in a dialog, and returns to where it was when it closes", async () => {
+    holdAnimationFrames();
+    renderWithWords(<Opener />);
+    const opener = screen.getByRole("button", { name: "Open" });
+    const user = userEvent.setup({ delay: null });
+    opener.focus();
+    await user.keyboard("{Enter}");
+    expect(document.activeElement).toBe(screen.getByRole("button", { name: "w-close" }));
+    await user.keyboard("{Escape}");
+    show();
+    expect(document.activeElement).toBe(opener);
+  });
+});
+
+function Opener() {
+  const [isOpen, setOpen] = useState(false);
+  return (
+    <>
+      <button type="button" onClick={() => setOpen(true)}>
+        Open
+      </button>
+      {isOpen && <Dialog title="Opened" onClose={() => setOpen(false)} />}
+    </>
+  );
+}

@@ -1,6 +1,7 @@
 import { Dialog as Base } from "@base-ui/react/dialog";
 import { X } from "lucide-react";
-import type { ReactNode } from "react";
+import { type ReactNode, useRef } from "react";
+import { focusNow } from "./focusNow";
 import { useOpened } from "./openDialogs";
 import { useWords } from "./words";
 import "./Dialog.css";
@@ -26,13 +27,21 @@ interface Props {
 export function Dialog(props: Props) {
   const { open = true, title, onClose, closeLabel, description, children, actions, size = "normal" } = props;
   const words = useWords();
+  const popup = useRef<HTMLDivElement>(null);
+  const head = useRef<HTMLElement>(null);
   useOpened(open);
   return (
     <Base.Root open={open} onOpenChange={(next) => !next && onClose()}>
       <Base.Portal>
         <Base.Backdrop className="ui-dialog-backdrop" />
-        <Base.Popup className="ui-dialog" data-size={size}>
-          <header className="ui-dialog-head">
+        <Base.Popup
+          ref={popup}
+          className="ui-dialog"
+          data-size={size}
+          // A touch needs no focused button, and would show its outline.
+          initialFocus={(opened) => (opened === "touch" ? popup.current : focusNow(head.current))}
+        >
+          <header ref={head} className="ui-dialog-head">
             <Base.Title className="ui-dialog-title">{title}</Base.Title>
             <Base.Close className="ui-dialog-close" aria-label={closeLabel ?? words.close}>
               <X size={16} aria-hidden="true" />

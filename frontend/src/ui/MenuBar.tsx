@@ -2,6 +2,7 @@ import { Menu as Base } from "@base-ui/react/menu";
 import { Menubar } from "@base-ui/react/menubar";
 import { Check } from "lucide-react";
 import { createContext, type ReactNode, type RefObject, useContext, useId, useState } from "react";
+import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
 import type { CommandState } from "./states";
 import { commandWord, useWords } from "./words";
@@ -109,7 +110,7 @@ export function MenuRule() {
 /** Props of every entry. */
 interface EntryProps {
   label: string;
-  /** Why it is disabled: shown in the entry, which stays reachable by keyboard. */
+  /** Why it is disabled: shown in the entry, which stays reachable and answers a press with it. */
   disabledReason?: string | undefined;
   state?: CommandState | undefined;
   stateText?: string | undefined;
@@ -130,9 +131,13 @@ function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps
     note,
     labelId,
     noteId,
+    press: usePress(disabledReason),
+    isDisabled: disabledReason !== undefined,
     shared: {
       className: "ui-menu-item",
-      disabled: disabledReason !== undefined,
+      // Not disabled for the menu, which would swallow the press.
+      "aria-disabled": disabledReason === undefined ? undefined : true,
+      "data-disabled": disabledReason === undefined ? undefined : "",
       "aria-labelledby": disabledReason === undefined ? labelId : `${labelId} ${noteId}`,
       "aria-describedby": disabledReason === undefined && note !== "" ? noteId : undefined,
     },
@@ -173,14 +178,15 @@ interface ActionProps extends EntryProps {
 }
 
 export function MenuAction({ onChoose, isCurrent = false, danger = false, ...entry }: ActionProps) {
-  const { shared, ...ids } = useEntry(entry);
+  const { shared, press, isDisabled, ...ids } = useEntry(entry);
   return (
     <Base.Item
       {...shared}
+      closeOnClick={!isDisabled}
       label={entry.label}
       data-danger={danger}
       aria-current={isCurrent ? "true" : undefined}
-      onClick={onChoose}
+      onClick={() => press(onChoose)}
     >
       <span className="ui-menu-mark">{isCurrent && <Check size={14} aria-hidden="true" />}</span>
       <Body {...entry} {...ids} />
@@ -195,9 +201,14 @@ interface SwitchProps extends EntryProps {
 }
 
 export function MenuSwitch({ checked, onChange, ...entry }: SwitchProps) {
-  const { shared, ...ids } = useEntry(entry);
+  const { shared, press, isDisabled: _, ...ids } = useEntry(entry);
   return (
-    <Base.CheckboxItem {...shared} label={entry.label} checked={checked} onCheckedChange={onChange}>
+    <Base.CheckboxItem
+      {...shared}
+      label={entry.label}
+      checked={checked}
+      onCheckedChange={(asked) => press(() => onChange(asked))}
+    >
       <span className="ui-menu-mark ui-menu-box" data-checked={checked}>
         {checked && <Check size={12} strokeWidth={3} aria-hidden="true" />}
       </span>
@@ -215,12 +226,12 @@ interface ChoiceProps<V extends string> extends EntryProps {
 
 /** A choice of a few under a heading: the reported one is marked. */
 export function MenuChoice<V extends string>({ options, value, onChange, ...group }: ChoiceProps<V>) {
-  const { shared, note, noteId } = useEntry(group);
+  const { shared, press, note, noteId } = useEntry(group);
   return (
     <Base.RadioGroup
       className="ui-menu-group"
       value={value ?? ""}
-      onValueChange={(next: V) => onChange(next)}
+      onValueChange={(next: V) => press(() => onChange(next))}
       aria-describedby={note === "" ? undefined : noteId}
     >
       <div className="ui-menu-heading">
@@ -232,7 +243,8 @@ export function MenuChoice<V extends string>({ options, value, onChange, ...grou
           key={option.value}
           className="ui-menu-item"
           value={option.value}
-          disabled={shared.disabled}
+          aria-disabled={shared["aria-disabled"]}
+          data-disabled={shared["data-disabled"]}
           aria-describedby={note === "" ? undefined : noteId}
         >
           <span className="ui-menu-mark ui-menu-dot" data-checked={value === option.value} />

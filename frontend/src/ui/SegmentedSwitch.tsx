@@ -1,4 +1,5 @@
 import { type ReactNode, useId } from "react";
+import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
 import type { CommandState } from "./states";
 import { Tooltip } from "./Tooltip";
@@ -9,6 +10,8 @@ export interface Segment<V extends string> {
   value: V;
   label: string;
   icon?: ReactNode;
+  /** Asked for at every press: also where the switch is disabled, or stands there already. */
+  always?: boolean | undefined;
 }
 
 interface Props<V extends string> {
@@ -45,11 +48,15 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
   const words = useWords();
   const name = useId();
   const noteId = useId();
+  const press = usePress(disabledReason);
   const disabled = disabledReason !== undefined;
   const note = disabledReason ?? stateText ?? commandWord(words, state);
-  const ask = (option: V): void => {
-    if (!disabled) onChange(option);
-  };
+  const ask = ({ value: asked, always = false }: Segment<V>): void =>
+    always ? onChange(asked) : press(() => onChange(asked));
+  // A press on the position where it stands changes nothing by itself: it is heard where it wants back before the
+  // proof, and where it has an answer.
+  const isAskedAgain = (option: Segment<V>): boolean =>
+    value === option.value && (disabled || option.always === true || (wanted !== null && wanted !== value));
   return (
     <Tooltip text={note}>
       <fieldset
@@ -57,24 +64,28 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
         data-state={state}
         data-known={value !== null}
         aria-describedby={note === "" ? undefined : noteId}
-        aria-disabled={disabled || undefined}
+        data-disabled={disabled}
+        // Said of the group it would be true of every position.
+        aria-disabled={(disabled && !options.some(({ always }) => always === true)) || undefined}
       >
         <legend className={hideLabel === true ? "visually-hidden" : "ui-switch-label"}>{label}</legend>
         <span className="ui-switch-box">
           {options.map((option) => (
-            <label key={option.value} className="ui-switch-option" data-wanted={wanted === option.value}>
+            <label
+              key={option.value}
+              className="ui-switch-option"
+              data-wanted={wanted === option.value}
+              data-disabled={disabled && option.always !== true}
+            >
               <input
                 type="radio"
                 className="visually-hidden"
                 name={name}
                 value={option.value}
                 checked={value === option.value}
-                aria-disabled={disabled || undefined}
-                onChange={() => ask(option.value)}
-                onClick={() => {
-                  // Back again before the proof: the position is still the old one, so nothing changes here.
-                  if (value === option.value && wanted !== null && wanted !== value) ask(option.value);
-                }}
+                aria-disabled={(disabled && option.always !== true) || undefined}
+                onChange={() => ask(option)}
+                onClick={() => isAskedAgain(option) && ask(option)}
               />
               {option.icon}
               <span>{option.label}</span>

@@ -42,5 +42,5 @@ test("disabled, it tells why", () => {
     name: "Port",
     description: "the link is open",
   });
-  expect(select.disabled).toBe(true);
+  expect(select.getAttribute("aria-disabled")).toBe("true");
 });

@@ -1,5 +1,6 @@
 import { ChevronDown } from "lucide-react";
-import { useId } from "react";
+import { type SyntheticEvent, useId } from "react";
+import { usePress } from "./refusal";
 import { Tooltip } from "./Tooltip";
 import "./Field.css";
 
@@ -19,12 +20,23 @@ interface Props<V extends string> {
   hideLabel?: boolean | undefined;
 }
 
+const OPENS: ReadonlySet<string> = new Set(["Enter", " ", "ArrowUp", "ArrowDown", "F4"]);
+
 /** A native select: it works with every keyboard, screen reader and touch screen. */
 export function Select<V extends string>(props: Props<V>) {
   const { label, options, value, onChange, placeholder, disabledReason, hideLabel } = props;
   const selectId = useId();
   const noteId = useId();
+  const press = usePress(disabledReason);
   const disabled = disabledReason !== undefined;
+  /** A press that would open the list of a disabled one. */
+  function refuseOpening(event: SyntheticEvent): void {
+    if (disabled) {
+      event.preventDefault();
+      press(() => undefined);
+    }
+  }
+
   return (
     <div className="ui-field">
       <label htmlFor={selectId} className={hideLabel === true ? "visually-hidden" : "ui-field-label"}>
@@ -36,11 +48,13 @@ export function Select<V extends string>(props: Props<V>) {
             id={selectId}
             className="ui-field-input ui-field-select"
             value={value ?? ""}
-            disabled={disabled}
+            aria-disabled={disabled || undefined}
             aria-describedby={disabled ? noteId : undefined}
+            onMouseDown={refuseOpening}
+            onKeyDown={(event) => OPENS.has(event.key) && refuseOpening(event)}
             onChange={(event) => {
               const chosen = options.find((option) => option.value === event.currentTarget.value);
-              if (chosen !== undefined) onChange(chosen.value);
+              if (chosen !== undefined) press(() => onChange(chosen.value));
             }}
           >
             {value === null && (

@@ -1,4 +1,5 @@
 import { type KeyboardEvent, useId, useState } from "react";
+import { usePress } from "./refusal";
 import { Tooltip } from "./Tooltip";
 import "./Field.css";
 
@@ -28,6 +29,7 @@ export function TextField(props: Props) {
   const inputId = useId();
   const noteId = useId();
   const [draft, setDraft] = useState<string | null>(null);
+  const press = usePress(disabledReason);
   const disabled = disabledReason !== undefined;
   const shown = draft ?? value;
 
@@ -44,9 +46,11 @@ export function TextField(props: Props) {
   }
 
   function onKeyDown(event: KeyboardEvent): void {
-    if (event.key === "Enter" && !disabled) {
-      finish();
-      onEnter?.(shown);
+    if (event.key === "Enter") {
+      press(() => {
+        finish();
+        onEnter?.(shown);
+      });
     } else if (event.key === "Escape" && draft !== null) {
       edit(null);
     } else {

@@ -1,4 +1,5 @@
 import { type ReactNode, useId } from "react";
+import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
 import type { CommandState } from "./states";
 import "./VerticalSlider.css";
@@ -24,7 +25,8 @@ interface Props {
   /** The outcome of the newest move, with its message if any. */
   state: CommandState;
   stateText?: string | undefined;
-  disabled?: boolean | undefined;
+  /** Why it is disabled. */
+  disabledReason?: string | undefined;
   /** Id of the text that says why it is disabled. */
   describedBy?: string | undefined;
   /** Shown below the number: a button that belongs to this slider. */
@@ -36,7 +38,9 @@ const DASHES = "\u2013\u2009\u2013";
 /** A vertical slider: up is more. Every move is reported at once; the receiver limits the rate. */
 export function VerticalSlider(props: Props) {
   const { label, name, value, minimum, maximum, step, rest, format, noValueText, onMove } = props;
-  const { state, stateText, disabled = false, describedBy, children } = props;
+  const { state, stateText, disabledReason, describedBy, children } = props;
+  const disabled = disabledReason !== undefined;
+  const press = usePress(disabledReason);
   const words = useWords();
   const noteId = useId();
   const outcome = stateText ?? commandWord(words, state);
@@ -58,9 +62,8 @@ export function VerticalSlider(props: Props) {
         step={step}
         value={value ?? rest}
         onChange={(event) => {
-          if (!disabled) {
-            onMove(event.currentTarget.valueAsNumber);
-          }
+          const { valueAsNumber } = event.currentTarget;
+          press(() => onMove(valueAsNumber));
         }}
       />
       <span className="ui-vslider-value" aria-hidden="true" title={outcome === "" ? undefined : outcome}>

@@ -1,6 +1,8 @@
 import { useEffect } from "react";
+import { GuardedCalls } from "../lib/guardedCalls";
 
 const listeners = new Set<() => void>();
+const calls = new GuardedCalls((error) => reportError(error));
 
 /** Calls `run` each time a dialog opens; the result unsubscribes. */
 export function onDialogs(run: () => void): () => void {
@@ -14,9 +16,7 @@ export function onDialogs(run: () => void): () => void {
 export function useOpened(isOpen: boolean): void {
   useEffect(() => {
     if (isOpen) {
-      for (const run of listeners) {
-        run();
-      }
+      calls.each(listeners, (run) => run());
     }
   }, [isOpen]);
 }

@@ -1,5 +1,6 @@
 import { type KeyboardEvent, useState } from "react";
 import { parseNumber, stepped, twoReadings } from "./number";
+import { usePress } from "./refusal";
 import type { CommandState } from "./states";
 import { useWords, type Words } from "./words";
 
@@ -48,6 +49,8 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   // A step needs a known number: from an unknown one it would jump to the end of the range.
   const from = (draft === null ? null : parseNumber(draft)) ?? held;
   const canStep = disabledReason === undefined && from !== null;
+  const press = usePress(disabledReason ?? (from === null ? words.unknown : undefined));
+  const pressEnter = usePress(disabledReason);
 
   function forget(): void {
     setDraft(null);
@@ -92,11 +95,11 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   }
 
   function move(direction: 1 | -1): void {
-    if (canStep) send(stepped(from, step, direction, minimum, maximum));
+    press(() => from !== null && send(stepped(from, step, direction, minimum, maximum)));
   }
 
   function onKeyDown(event: KeyboardEvent): void {
-    if (event.key === "Enter") finish(false);
+    if (event.key === "Enter") pressEnter(() => finish(false));
     else if (event.key === "Escape") forget();
     else if (event.key === "ArrowUp") move(1);
     else if (event.key === "ArrowDown") move(-1);

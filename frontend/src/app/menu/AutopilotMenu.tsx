@@ -81,6 +81,7 @@ function OnOff({ name, labels, on, off, read }: OnOffProps) {
         asked="off"
         isCurrent={isOn === false}
         disabledReason={disabledReason}
+        always={name === "autopilot"}
       />
     </>
   );

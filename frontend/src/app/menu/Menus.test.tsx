@@ -257,7 +257,7 @@ describe("an entry shows", () => {
     expect(entry("Sensores Inerciales").textContent).toContain("confirmado por el latido");
   });
 
-  test("why it cannot be chosen, and asks nothing", async () => {
+  test("why it cannot be chosen, and answers a press with that", async () => {
     const legacy = aStatus({
       board: {
         ...aStatus().board,
@@ -271,13 +271,31 @@ describe("an entry shows", () => {
     const speed = within(openMenu()).getByRole("group", { name: "Selector de velocidad" });
     expect(speed.textContent).toContain("necesita un firmware con extensiones");
     await user.click(within(speed).getByRole("menuitemradio", { name: "GPS" }));
+    expect(asked(station)).toEqual([]);
+    expect(station.page.messages.getState().last).toMatchObject({ key: "said.notDone" });
+  });
+
+  test("that its position is not known while the heartbeat is late, and asks for the other one than it saw last", async () => {
+    const station = flying();
+    const user = userEvent.setup(QUICK);
     station.pass(700);
-    station.status(legacy);
-    await user.keyboard("{Escape}");
+    station.status(aStatus());
     await open(user, station, "Parámetros");
     expect(entry("AHRS").textContent).toContain("no llega el latido");
+    expect(entry("AHRS").getAttribute("aria-checked")).toBe("false");
+    await user.click(entry("AHRS"));
+    await user.click(entry("Sensores Inerciales"));
+    expect(asked(station)).toEqual([command("ahrs_off"), command("inertial_on")]);
+  });
+
+  test("that nothing was heard of its position, and answers a press with that", async () => {
+    const station = new Station();
+    station.greet();
+    const user = userEvent.setup(QUICK);
+    await open(user, station, "Parámetros");
     await user.click(entry("AHRS"));
     expect(asked(station)).toEqual([]);
+    expect(station.page.messages.getState().last).toMatchObject({ key: "said.notDone" });
   });
 });
 

@@ -34,6 +34,7 @@ function Routes() {
 
 function PathItem({ path, label }: { path: "manual" | "assisted"; label: string }) {
   const choosePath = useChoosePath();
+  const blocked = useGatewayBlocked();
   const current = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.hil.path ?? null) : null,
   );
@@ -41,7 +42,7 @@ function PathItem({ path, label }: { path: "manual" | "assisted"; label: string 
     <MenuAction
       label={label}
       isCurrent={current === path}
-      disabledReason={useGatewayBlocked()}
+      disabledReason={path === "manual" ? undefined : blocked}
       onChoose={() => choosePath(path)}
       {...useOutcome("path", path)}
     />

@@ -6,7 +6,7 @@ import type { CommandValue } from "../../requests/actions";
 import { ACTIONS } from "../../requests/actions";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import type { CommandState } from "../../store/commands";
-import { useCommandEntry, usePart, useTelemetry } from "../../store/hooks";
+import { useCommandEntry, usePage, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { MenuAction, MenuSwitch } from "../../ui/MenuBar";
 
@@ -37,6 +37,8 @@ interface CommandProps {
   isCurrent?: boolean;
   disabledReason?: string | undefined;
   danger?: boolean;
+  /** Sent whatever the state: the gateway answers where it cannot be done. */
+  always?: boolean;
   /** Ask the user first; `send` goes on. */
   confirm?: (send: () => void) => void;
 }
@@ -52,6 +54,7 @@ export function CommandItem(props: CommandProps): ReactNode {
     isCurrent,
     disabledReason,
     danger,
+    always = false,
     confirm,
   } = props;
   const { t } = useTranslation();
@@ -66,7 +69,7 @@ export function CommandItem(props: CommandProps): ReactNode {
       onChoose={() => (confirm === undefined ? send() : confirm(send))}
       isCurrent={isCurrent}
       danger={danger}
-      disabledReason={blocked ?? disabledReason}
+      disabledReason={always ? undefined : (blocked ?? disabledReason)}
       {...outcome}
     />
   );
@@ -80,24 +83,30 @@ interface SwitchProps {
   read: (telemetry: TelemetryStore) => boolean | null;
 }
 
-/** A switch in the position that the heartbeat's flag reports; without a live heartbeat in none. */
+/**
+ * A switch in the position that the heartbeat's flag reports; without a live heartbeat in none. A heartbeat that is
+ * merely late is no reason to refuse a press: it asks for the other position than the one that was seen last.
+ */
 export function FlagSwitch({ label, control, on, off, read }: SwitchProps): ReactNode {
   const { t } = useTranslation();
   const actions = usePart(ACTIONS);
   const blocked = useBoardBlocked();
   const outcome = useOutcome(control);
-  const flag = useTelemetry((telemetry, now_ms) =>
-    telemetry.state("heartbeat", now_ms) === "live" ? read(telemetry) : null,
-  );
+  const { telemetry } = usePage();
+  const seen = useTelemetry(read);
+  const isLive = useTelemetry((known, now_ms) => known.state("heartbeat", now_ms) === "live");
+  const late = isLive ? undefined : t("menu.noHeartbeat");
   return (
     <MenuSwitch
       label={label}
-      checked={flag === true}
-      onChange={(checked) =>
-        void actions.command(checked ? on : off, { control, asked: checked ? "on" : "off" })
-      }
-      disabledReason={blocked ?? (flag === null ? t("menu.noHeartbeat") : undefined)}
-      {...outcome}
+      checked={isLive && seen === true}
+      onChange={() => {
+        const isOn = read(telemetry) === true;
+        void actions.command(isOn ? off : on, { control, asked: isOn ? "off" : "on" });
+      }}
+      disabledReason={blocked ?? (seen === null ? t("menu.noHeartbeat") : undefined)}
+      state={outcome.state}
+      stateText={outcome.stateText ?? (outcome.state === "idle" ? late : undefined)}
     />
   );
 }

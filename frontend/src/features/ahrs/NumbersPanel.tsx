@@ -57,18 +57,19 @@ function AlignedYaw({ source }: { source: AttitudeSource }) {
 
 function AlignTools({ source, onAligned }: Props) {
   const { t } = useTranslation();
-  const { telemetry, pump } = usePage();
+  const { telemetry } = usePage();
   const ahrs3d = usePart(AHRS);
   const zero_deg = useAlignment((alignment) => alignment[source]);
-  const isLive = useTelemetry((each, now_ms) => each.liveNumber(source, "yaw_deg", now_ms) !== null);
+  // A late attitude is taken too: the button must not come and go under the hand that presses it.
+  const isKnown = useTelemetry((each) => each.newestNumber(source, "yaw_deg") !== null);
   return (
     <div className="ahrs3d-row">
       <Button
         onPress={() => {
-          align(ahrs3d.alignment, source, telemetry.liveNumber(source, "yaw_deg", pump.now_ms) ?? zero_deg);
+          align(ahrs3d.alignment, source, telemetry.newestNumber(source, "yaw_deg") ?? zero_deg);
           onAligned();
         }}
-        disabledReason={isLive ? undefined : t("ahrs3d.nothingLive")}
+        disabledReason={isKnown ? undefined : t("ahrs3d.nothingLive")}
       >
         {t("ahrs3d.align")}
       </Button>

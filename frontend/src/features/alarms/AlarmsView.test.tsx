@@ -173,6 +173,18 @@ describe("what is heard", () => {
     expect(station.sounder.played.length).toBe(before);
   });
 
+  test("a tone that fails keeps neither the voice nor the next tone away", async () => {
+    await user.click(
+      within(panel("Sonido y voz")).getAllByRole("checkbox", { name: "Alarmas" })[1] as HTMLElement,
+    );
+    station.sounder.failure = new Error("no sound device");
+    expect(() => raise(LOST)).toThrow("no sound device");
+    station.sounder.failure = null;
+    expect(station.speaker.said).toEqual(["es: Alarma: latido perdido."]);
+    station.pass(3500);
+    expect(station.sounder.played).toEqual(["critical"]);
+  });
+
   test("is spoken where it is wanted, in the page's language, and says recovered only when it is", async () => {
     await user.click(
       within(panel("Sonido y voz")).getAllByRole("checkbox", { name: "Alarmas" })[1] as HTMLElement,

@@ -179,16 +179,20 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
       canSpeak: speaker.state(chosen.language) === "ready",
       now_ms,
     });
-    if (sound !== null) {
-      sounder.play(sound, heard.volume);
-    }
-    if (speech === "hush") {
-      speaker.hush();
-    } else if (speech !== null) {
-      speaker.say(spokenPhrase(speech, chosen.language), chosen.language, heard.volume);
-    }
+    // First: whatever a sound throws, the alarm is repeated.
     const next_ms = isMuted ? mutedUntil_ms : again_ms;
     cancelAgain = next_ms === null ? () => undefined : timers.after(next_ms - now_ms, ring);
+    try {
+      if (sound !== null) {
+        sounder.play(sound, heard.volume);
+      }
+    } finally {
+      if (speech === "hush") {
+        speaker.hush();
+      } else if (speech !== null) {
+        speaker.say(spokenPhrase(speech, chosen.language), chosen.language, heard.volume);
+      }
+    }
   }
 
   function ring(): void {

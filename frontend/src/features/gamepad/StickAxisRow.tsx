@@ -20,6 +20,7 @@ export function StickAxisRow({ axis }: { axis: StickAxis }) {
   const gamepads = usePart(GAMEPADS);
   const mapping = useGamepads((state) => state.mapping?.[axis] ?? null);
   const isAssigning = useGamepads(({ assigning }) => assigning === axis);
+  const isAwaited = useGamepads(({ awaited }) => awaited.includes(axis));
   if (mapping === null) {
     return null;
   }
@@ -32,6 +33,7 @@ export function StickAxisRow({ axis }: { axis: StickAxis }) {
       <Bar axis={axis} label={name} />
       <span className="setup-axis-input" role="status" data-assigning={isAssigning}>
         {isAssigning ? t(`gamepad.move.${axis}`) : <InputName input={input} />}
+        {isAwaited && !isAssigning && ` · ${t("gamepad.notMoved")}`}
       </span>
       <Button
         onPress={() => gamepads.assign(isAssigning ? null : axis)}

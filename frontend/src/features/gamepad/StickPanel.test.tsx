@@ -7,7 +7,9 @@ import { aPad } from "../../test/gamepads";
 import { Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
+import { GAMEPADS } from "./gamepadList";
 import { StickPanel } from "./StickPanel";
+import type { Pad } from "./stickMapping";
 
 let station: Station;
 const user = userEvent.setup();
@@ -48,6 +50,19 @@ function samples(): Array<Record<string, unknown>> {
   return sent.map((text) => JSON.parse(text)).filter(({ type }) => type === "stick");
 }
 
+/** What the panel says of axes whose position is not known. */
+function awaited(): string | undefined {
+  return within(panel())
+    .queryByText(/^Esperando ejes/, { selector: "p" })
+    ?.textContent?.split(".")[0];
+}
+
+/** Every axis there and back, as a pilot checks them. */
+function moveAll(others: Partial<Pad> = {}): void {
+  act(() => station.gamepads.plug(aPad({ ...others, axes: [0.4, 0.4, 0.4, 0.4] })));
+  act(() => station.gamepads.plug(aPad(others)));
+}
+
 /** Only the panel, without the window around it. */
 beforeEach(() => {
   station = new Station(
@@ -69,8 +84,85 @@ test("a viewer's gamepad cannot be chosen", () => {
   expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBe("true");
 });
 
+describe("a gamepad whose axes have not moved since it was connected", () => {
+  /** A joystick: its lever reads 0, which is half throttle, until it moves. */
+  const joystick = { id: "Lever", isStandard: false } as const;
+
+  beforeEach(() => act(() => station.gamepads.plug(aPad(joystick))));
+
+  test("cannot be chosen, and the panel says which axes it waits for until each was moved", () => {
+    expect(awaited()).toBe("Esperando ejes: Elevator, Aileron, Rudder, Throttle");
+    expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBe("true");
+    act(() => station.gamepads.plug(aPad({ ...joystick, axes: [0.3, -0.3, 0, 0.02] })));
+    expect(awaited()).toBe("Esperando ejes: Rudder, Throttle");
+    act(() => station.gamepads.plug(aPad({ ...joystick, axes: [0, 0, 0.3, -1] })));
+    expect(awaited()).toBeUndefined();
+    expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBeNull();
+  });
+
+  test("can be chosen once the pilot confirms the positions, and not after it was connected again", async () => {
+    await user.click(within(panel()).getByRole("button", { name: "Las barras son correctas" }));
+    expect(awaited()).toBeUndefined();
+    act(() => station.gamepads.plugAgain(aPad(joystick)));
+    expect(awaited()).toBe("Esperando ejes: Elevator, Aileron, Rudder, Throttle");
+  });
+
+  test("does not fly on with half throttle when it is connected again in flight, and every tab is told", () => {
+    moveAll(joystick);
+    station.status(withStick({ ...MINE, gamepad: "Lever" }));
+    station.pass(100);
+    expect(samples().length).toBeGreaterThan(0);
+    act(() => station.gamepads.plug());
+    act(() => station.gamepads.plug(aPad(joystick)));
+    station.pass(200);
+    expect(samples()).toEqual([]);
+    expect(told()).toMatchObject({ key: "gamepad.awaitedInFlight", params: { gamepad: "Lever" } });
+    moveAll(joystick);
+    station.pass(100);
+    expect(samples().length).toBeGreaterThan(0);
+  });
+});
+
+test("a bar that cannot be painted does not stop the stick, nor what else follows it", () => {
+  moveAll();
+  station.status(withStick(MINE));
+  const painted: Array<number | null> = [];
+  const { watch } = station.page.parts.get(GAMEPADS);
+  let isFirst = true;
+  act(() => {
+    watch(() => {
+      if (isFirst) {
+        isFirst = false;
+        throw new Error("no canvas");
+      }
+    });
+    watch(({ aileron }) => painted.push(aileron));
+  });
+  samples();
+  painted.length = 0;
+  station.pass(200);
+  expect(samples().length).toBeGreaterThan(5);
+  expect(painted.length).toBeGreaterThan(5);
+  expect(station.reported).toHaveLength(1);
+});
+
+test("a step that fails is reported, and the next one flies", () => {
+  moveAll();
+  station.status(withStick(MINE));
+  station.gamepads.failure = new Error("driver");
+  station.pass(100);
+  station.gamepads.failure = null;
+  samples();
+  station.pass(200);
+  expect(samples().length).toBeGreaterThan(5);
+  expect(station.reported).toHaveLength(1);
+});
+
 describe("with a gamepad", () => {
-  beforeEach(() => act(() => station.gamepads.plug(aPad())));
+  beforeEach(() => {
+    act(() => station.gamepads.plug(aPad()));
+    moveAll();
+  });
 
   test("each axis has a bar that follows it, and nothing is sent", () => {
     act(() => station.gamepads.plug(aPad({ axes: [0, 0, 0.55, -1] })));
@@ -154,6 +246,7 @@ describe("with a gamepad", () => {
       expect(samples()).toEqual([]);
       expect(within(panel()).queryByRole("group", { name: "Elevator" })).toBeNull();
       act(() => station.gamepads.plug(aPad()));
+      moveAll();
       station.pass(100);
       expect(samples().length).toBeGreaterThan(0);
     });

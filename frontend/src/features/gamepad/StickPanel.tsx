@@ -13,7 +13,7 @@ import { Select } from "../../ui/Select";
 import { GAMEPADS } from "./gamepadList";
 import { StickAxisRow } from "./StickAxisRow";
 import { STICK_AXES } from "./stickMapping";
-import { useGamepadBlocked } from "./useGamepadBlocked";
+import { useAwaitedAxes, useGamepadBlocked } from "./useGamepadBlocked";
 import { useGamepads } from "./useGamepads";
 import "./stick.css";
 
@@ -27,6 +27,7 @@ export function StickPanel() {
         <PadChoice />
       </div>
       <StickNotice />
+      <AwaitedAxes />
       <PadAxes />
     </Panel>
   );
@@ -96,6 +97,7 @@ function StickNotice() {
   const gamepad = useConnection(({ status }) => status?.hil.stick?.gamepad ?? "");
   const name = useConnection(({ status }) => status?.hil.stick?.name ?? "");
   const blocked = useGamepadBlocked();
+  const isAwaiting = useAwaitedAxes() !== undefined;
   const refusal = useCommandEntry("stick")?.message ?? null;
   if (refusal?.level === "error") {
     return <Notice level="error">{sentence(refusal)}</Notice>;
@@ -110,7 +112,20 @@ function StickNotice() {
       </Notice>
     );
   }
-  return <Notice level="info">{blocked ?? t("gamepad.ready")}</Notice>;
+  return isAwaiting ? null : <Notice level="info">{blocked ?? t("gamepad.ready")}</Notice>;
+}
+
+/** Which axes must move before the gamepad is the stick, and the way to say that they stand as shown. */
+function AwaitedAxes() {
+  const { t } = useTranslation();
+  const gamepads = usePart(GAMEPADS);
+  const awaited = useAwaitedAxes();
+  return awaited === undefined ? null : (
+    <Notice level="warning">
+      <p>{awaited}</p>
+      <Button onPress={gamepads.agree}>{t("gamepad.agree")}</Button>
+    </Notice>
+  );
 }
 
 function PadAxes() {

@@ -15,14 +15,13 @@ export function browserGamepads(window: Window & typeof globalThis): GamepadRead
     },
     isInSight: () => document.visibilityState === "visible",
     onChange: (run) => {
-      const events = ["gamepadconnected", "gamepaddisconnected"] as const;
-      for (const event of events) {
-        window.addEventListener(event, run);
-      }
+      const connected = ({ gamepad }: Partial<GamepadEvent>): void => run(gamepad?.index);
+      const disconnected = (): void => run();
+      window.addEventListener("gamepadconnected", connected);
+      window.addEventListener("gamepaddisconnected", disconnected);
       return () => {
-        for (const event of events) {
-          window.removeEventListener(event, run);
-        }
+        window.removeEventListener("gamepadconnected", connected);
+        window.removeEventListener("gamepaddisconnected", disconnected);
       };
     },
   };

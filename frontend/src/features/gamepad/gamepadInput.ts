@@ -1,4 +1,5 @@
 import { isText, nullable, oneOf, shape } from "../../lib/check";
+import { GuardedCalls } from "../../lib/guardedCalls";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { Actions } from "../../requests/actions";
@@ -13,6 +14,7 @@ import {
   type PadName,
 } from "./gamepadList";
 import { rememberedMapping, rememberMapping } from "./mappingMemory";
+import { MovedAxes } from "./movedAxes";
 import {
   assigned,
   atRest,
@@ -34,6 +36,8 @@ interface Parts {
   readonly setStick: Actions["setStick"];
   readonly send: (text: string) => void;
   readonly tell: (message: Message) => void;
+  /** Hears once of each painter that throws, and of each run of steps that fail. */
+  readonly report: (error: unknown) => void;
 }
 
 /** 50 Hz while somebody watches or flies, else only a check for gamepads. */
@@ -66,8 +70,11 @@ export function createGamepadInput(parts: Parts): {
   const watchers = new Set<(positions: AxisPositions) => void>();
   let cancelTimer: () => void = () => undefined;
   let cancelEvents: () => void = () => undefined;
+  const movedAxes = new MovedAxes();
   let before: Pad | null = null;
   let asking = 0;
+  const calls = new GuardedCalls(parts.report);
+  let wasFailing = false;
 
   /** Whether the gateway uses this page's gamepad as the stick. */
   function flies(): boolean {
@@ -91,6 +98,7 @@ export function createGamepadInput(parts: Parts): {
 
   function look(): Pad | null {
     const pads = reader.read();
+    movedAxes.follow(pads);
     const pad = choosePad(pads);
     const { pads: known, selected } = store.getState();
     if (!isSameList(known, pads)) {
@@ -109,6 +117,23 @@ export function createGamepadInput(parts: Parts): {
       });
     }
     return pad;
+  }
+
+  /** The axes that must move before this gamepad is the stick; said once if it flies. */
+  function awaitAxes(axes: readonly StickAxis[]): void {
+    const { awaited } = store.getState();
+    if (axes.length === awaited.length && axes.every((axis, place) => axis === awaited[place])) {
+      return;
+    }
+    store.setState({ awaited: axes });
+    if (awaited.length === 0 && flies()) {
+      const { selected } = store.getState();
+      parts.tell({
+        level: "warning",
+        key: "gamepad.awaitedInFlight",
+        params: { gamepad: selected?.id ?? "" },
+      });
+    }
   }
 
   function keep(mapping: StickMapping): void {
@@ -149,19 +174,36 @@ export function createGamepadInput(parts: Parts): {
   function work(pad: Pad, mapping: StickMapping): AxisPositions {
     waitForMove(pad, mapping);
     const current = store.getState().mapping ?? mapping;
-    if (asking > 0 || flies()) {
+    awaitAxes(movedAxes.awaited(pad, current));
+    if ((asking > 0 || flies()) && store.getState().awaited.length === 0) {
       send(pad, current);
     }
     return positionsOf(pad, current);
   }
 
-  function step(): void {
+  function read(): AxisPositions {
     const pad = look();
     const { mapping } = store.getState();
-    const positions = pad === null || mapping === null ? NOWHERE : work(pad, mapping);
-    for (const paint of watchers) {
-      paint(positions);
+    if (pad === null || mapping === null) {
+      awaitAxes([]);
+      return NOWHERE;
     }
+    return work(pad, mapping);
+  }
+
+  /** Whatever one step throws, the next one comes: the stick must not stop because a bar could not be painted. */
+  function step(): void {
+    let positions = NOWHERE;
+    try {
+      positions = read();
+      wasFailing = false;
+    } catch (error) {
+      if (!wasFailing) {
+        parts.report(error);
+      }
+      wasFailing = true;
+    }
+    calls.each(watchers, (paint) => paint(positions));
     const isBusy = watchers.size > 0 || asking > 0 || flies();
     cancelTimer = timers.after(isBusy ? SAMPLE_EVERY_MS : SEARCH_EVERY_MS, step);
   }
@@ -205,6 +247,13 @@ export function createGamepadInput(parts: Parts): {
         keep(defaultMapping(pad));
       }
     },
+    agree: () => {
+      const pad = look();
+      if (pad !== null) {
+        movedAxes.agree(pad);
+        now();
+      }
+    },
     fly: async (asker) => {
       const { selected } = store.getState();
       if (selected === null) {
@@ -231,7 +280,12 @@ export function createGamepadInput(parts: Parts): {
       }
     },
     start: () => {
-      cancelEvents = reader.onChange(now);
+      cancelEvents = reader.onChange((connected) => {
+        if (connected !== undefined) {
+          movedAxes.connected(connected);
+        }
+        now();
+      });
       step();
     },
     stop: () => {

@@ -8,8 +8,11 @@ export interface GamepadReader {
   readonly read: () => readonly Pad[];
   /** A browser stops gamepads and timers of a hidden page: what it reports then is old. */
   readonly isInSight: () => boolean;
-  /** Calls `run` when a gamepad is connected or disconnected; the result unsubscribes. */
-  readonly onChange: (run: () => void) => () => void;
+  /**
+   * Calls `run` when a gamepad is connected, with its index if that is known, or disconnected; the result
+   * unsubscribes.
+   */
+  readonly onChange: (run: (connected?: number) => void) => () => void;
 }
 
 /** A gamepad in the list. Two of the same model differ in their index. */
@@ -26,6 +29,8 @@ export interface Gamepads {
   readonly mapping: StickMapping | null;
   /** The axis that is being assigned. */
   readonly assigning: StickAxis | null;
+  /** Mapped axes that have not moved since the gamepad was connected: nobody knows where they stand. */
+  readonly awaited: readonly StickAxis[];
 }
 
 export type GamepadStore = StoreApi<Gamepads>;
@@ -45,6 +50,8 @@ export interface GamepadInput {
   /** Take the stick's present position as its rest. */
   readonly centre: () => void;
   readonly reset: () => void;
+  /** The axes stand as the bars show: none is waited for. */
+  readonly agree: () => void;
   /** Fly with the selected gamepad, or with the simulator's joystick. */
   readonly fly: (asker: Asker) => Promise<void>;
   readonly flySimulator: (asker: Asker) => Promise<void>;
@@ -53,5 +60,11 @@ export interface GamepadInput {
 export const GAMEPADS = partName<GamepadInput>("gamepads");
 
 export function createGamepads(): GamepadStore {
-  return createStore<Gamepads>(() => ({ pads: [], selected: null, mapping: null, assigning: null }));
+  return createStore<Gamepads>(() => ({
+    pads: [],
+    selected: null,
+    mapping: null,
+    assigning: null,
+    awaited: [],
+  }));
 }

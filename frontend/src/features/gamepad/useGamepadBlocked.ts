@@ -14,9 +14,8 @@ export function useTouchBlocked(): string | undefined {
   );
   const isEmulated = useConnection(({ status }) => status?.board.emulated === true);
   const isSimulated = useConnection(({ status }) => status?.simulator.state === "open");
-  const isJoystick = useTelemetry((telemetry, now_ms) =>
-    telemetry.liveFlag("heartbeat", "source_joystick", now_ms),
-  );
+  // By a late heartbeat too: nobody has said that RC is the source, and the finger must not lose the stick for it.
+  const isJoystick = useTelemetry((telemetry) => telemetry.newestFlag("heartbeat", "source_joystick"));
   const other = useConnection(({ status }) => otherGamepad(status?.hil.stick?.gamepad));
   if (gateway !== undefined) {
     return gateway;
@@ -52,6 +51,7 @@ export function useGamepadBlocked(): string | undefined {
   const isComplete = useGamepads(({ mapping }) =>
     STICK_AXES.every((axis) => axis === "rudder" || mapping?.[axis].input !== null),
   );
+  const awaited = useAwaitedAxes();
   if (gateway !== undefined) {
     return gateway;
   }
@@ -64,5 +64,14 @@ export function useGamepadBlocked(): string | undefined {
   if (!isComplete) {
     return t("gamepad.incomplete");
   }
-  return isEmulated ? t("problem.emulation_running") : undefined;
+  return isEmulated ? t("problem.emulation_running") : awaited;
+}
+
+/** The axes whose position is waited for, in a sentence; undefined if there are none. */
+export function useAwaitedAxes(): string | undefined {
+  const { t } = useTranslation();
+  const awaited = useGamepads((state) => state.awaited);
+  return awaited.length === 0
+    ? undefined
+    : t("gamepad.awaited", { axes: awaited.map((axis) => t(`control.${axis}`)).join(", ") });
 }

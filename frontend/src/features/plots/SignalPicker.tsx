@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { FIELDS } from "../../protocol/messages.gen";
 import { FIELD_KINDS } from "../../protocol/topics";
 import { Button } from "../../ui/Button";
+import { useRefuse } from "../../ui/refusal";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { MOST_SIGNALS } from "./plotLayouts";
@@ -37,6 +38,7 @@ const DEFINED: readonly Group[] = [...FIELD_KINDS].map(([topic, fields]) => ({
 /** The tree of topics and fields, with search; one press adds a signal to the chosen plot. */
 export function SignalPicker({ chosen, onAdd }: Props) {
   const { t } = useTranslation();
+  const refuse = useRefuse();
   const [search, setSearch] = useState("");
   const groups = useGroups();
   const wanted = search.trim().toLowerCase();
@@ -71,7 +73,10 @@ export function SignalPicker({ chosen, onAdd }: Props) {
                         className="plots-field"
                         aria-label={t("plots.add", { name: signal })}
                         aria-disabled={isChosen || isFull || undefined}
-                        onClick={() => !isChosen && !isFull && onAdd(signal)}
+                        onClick={() => {
+                          const reason = isChosen ? t("plots.isChosen") : fullReason;
+                          reason === undefined ? onAdd(signal) : refuse(reason);
+                        }}
                       >
                         <Plus aria-hidden="true" size={12} />
                         <span className="plots-name">{name}</span>

@@ -84,7 +84,7 @@ const ServoSlider = memo(function ServoSlider({ index, blocked, reasonId }: Slid
       onMove={(value) => servos.move(index, value)}
       state={state}
       stateText={message === null ? undefined : sentence(message)}
-      disabled={blocked !== undefined}
+      disabledReason={blocked}
       describedBy={reasonId}
     >
       <Button

@@ -9,6 +9,7 @@ import {
   JulianDate,
   type Scene,
 } from "@cesium/engine";
+import { GuardedCalls } from "../../lib/guardedCalls";
 import { tellTiming } from "../../lib/timing";
 import { CopiedPicture } from "../CopiedPicture";
 import { drawsInSoftware, PictureCost } from "../graphics";
@@ -54,6 +55,7 @@ export class Globe {
   readonly isSoftware = drawsInSoftware();
   readonly #element = document.createElement("div");
   readonly #listeners = new Set<(now_ms: number) => void>();
+  readonly #calls = new GuardedCalls((error) => reportError(error));
   readonly #owned = new Set<() => void>();
   readonly #budget: PictureBudget;
   readonly #cost: PictureCost;
@@ -191,9 +193,7 @@ export class Globe {
     }
     this.#ticked_ms = now_ms;
     this.#suitQuality();
-    for (const listener of this.#listeners) {
-      listener(now_ms);
-    }
+    this.#calls.each(this.#listeners, (listener) => listener(now_ms));
     if (this.isSoftware) {
       this.#suitScale(isHeld, now_ms);
     }

@@ -1,4 +1,5 @@
 import { Cartesian2, Cartographic, Math as CesiumMath, EllipsoidTerrainProvider } from "@cesium/engine";
+import { GuardedCalls } from "../../lib/guardedCalls";
 import type { Globe } from "../globe/Globe";
 import type { Spot } from "../plan/geometry";
 import { type GroundPlace, REACH_PX, reachOf } from "../plan/target";
@@ -47,6 +48,7 @@ export class MapPointer {
   readonly #last = new Set<Finder>();
   readonly #hovers = new Set<(place: GroundPlace | null) => void>();
   readonly #gestures = new Set<GestureHands>();
+  readonly #calls = new GuardedCalls((error) => reportError(error));
   readonly #cursors = new Set<() => string>();
   #grip: Grip | null = null;
   #drag: Drag | null = null;
@@ -134,9 +136,7 @@ export class MapPointer {
   }
 
   #gesture(tell: (hands: GestureHands) => void): void {
-    for (const hands of this.#gestures) {
-      tell(hands);
-    }
+    this.#calls.each(this.#gestures, tell);
   }
 
   #find(at: Spot, reach_px: number = REACH_PX.mouse): Grip | null {
@@ -150,9 +150,7 @@ export class MapPointer {
   }
 
   #tell(place: GroundPlace | null): void {
-    for (const listener of this.#hovers) {
-      listener(place);
-    }
+    this.#calls.each(this.#hovers, (listener) => listener(place));
   }
 
   readonly #press = (event: PointerEvent): void => {

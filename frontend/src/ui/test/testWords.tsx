@@ -1,5 +1,6 @@
 import { render } from "@testing-library/react";
 import type { ReactElement } from "react";
+import { RefusalProvider } from "../refusal";
 import { type Words, WordsProvider } from "../words";
 
 /** Words of a made-up language: a test that finds one of them knows that it came from the catalogue. */
@@ -28,9 +29,18 @@ export const WORDS: Words = {
   refusedEdit: (text, why) => `w-refused ${text}: ${why}`,
 };
 
-/** Render a control with words around it; `rerender` keeps them. */
+/**
+ * Render a control with words around it; `rerender` keeps them. `refused` collects the reasons that answer presses on
+ * greyed controls.
+ */
 export function renderWithWords(control: ReactElement) {
-  return render(control, {
-    wrapper: ({ children }) => <WordsProvider words={WORDS}>{children}</WordsProvider>,
+  const refused: string[] = [];
+  const drawn = render(control, {
+    wrapper: ({ children }) => (
+      <WordsProvider words={WORDS}>
+        <RefusalProvider value={(reason) => void refused.push(reason)}>{children}</RefusalProvider>
+      </WordsProvider>
+    ),
   });
+  return { ...drawn, refused };
 }
