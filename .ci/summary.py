@@ -1,8 +1,8 @@
 """Print what failed and why, what was skipped, and one plain line of what passed, from the test runners' JUnit files.
 
-Usage: summary.py FOLDER [LIST]. Fails when a part or a test failed, when a runner left no file or a file without a test,
-so that a suite which did not run cannot pass for one that did, and when a test was skipped that LIST (`skips.txt` beside
-this program) does not allow. Says what each part took (`timed.py`).
+Usage: summary.py FOLDER [LIST]. Says what each part took (`timed.py`). Fails when a part or a test failed, when a
+runner left no file or a file without a test, so that a suite which did not run cannot pass for one that did, and when a
+test was skipped that LIST (`skips.txt` beside this program) does not allow.
 """
 
 from __future__ import annotations
