@@ -157,7 +157,7 @@ CORE := */codec/*,*/xplane/*,*/vehicle/*,*/bus/*,*/flight/board/*,*/flight/hil/*
 CHECKS := check-generated check-gateway check-types check-firmware check-page check-journeys
 
 check: setup ## format, lint, types, import rules, generated files up to date
-	@$(MAKE) --no-print-directory -j 2 --output-sync=target $(CHECKS)
+	@$(MAKE) --no-print-directory $(JOBS) --output-sync=target $(CHECKS)
 
 .PHONY: $(CHECKS)
 
@@ -192,13 +192,30 @@ check-platforms: $(DONE)/venv-dev ## types as macOS and Windows see them (half a
 	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform darwin --cache-dir .mypy_cache/darwin src
 	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform win32 --cache-dir .mypy_cache/win32 src
 
-# One after the other, whatever -j says: each uses all of the machine.
-TESTS := test-protocol test-firmware test-backend test-frontend e2e
+# All that `make test` does. Journeys and lines of boards wait for their clocks for half of their time, in which another
+# part calculates: the journeys run beside the other parts, which come one after the other.
+PARTS := check build test-firmware test-frontend test-tools test-protocol test-backend e2e
+MADE := $(firstword $(MAKEFILE_LIST))
 
-test: fresh-results ## everything, from nothing; what failed or could not run on this machine is told at the end, which is red then
-	@$(MAKE) --no-print-directory check
-	@for part in $(TESTS); do $(MAKE) --no-print-directory $$part || { python3 .ci/summary.py $(RESULTS); exit 1; }; done
+test: fresh-results setup ## everything, from nothing; what failed or could not run on this machine is told at the end, which is red then
+	@$(MAKE) --no-print-directory -f $(MADE) -j 3 --output-sync=target $(PARTS:%=part-%)
 	@python3 .ci/summary.py $(RESULTS)
+
+.PHONY: $(PARTS) $(PARTS:%=part-%)
+$(PARTS:%=part-%): part-%:
+	@python3 .ci/timed.py $(RESULTS) $* $(MAKE) --no-print-directory -k -f $(MADE) $*
+
+part-check part-e2e: | part-build
+part-test-firmware: | part-check
+part-test-frontend: | part-test-firmware
+part-test-tools: | part-test-frontend
+part-test-protocol: | part-test-tools
+part-test-backend: | part-test-protocol
+
+# Within a part that has the machine for itself two things at a time; within `make test` as many as it says.
+JOBS = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j 2)
+
+build: frontend/dist/index.html board
 
 .PHONY: fresh-results
 fresh-results:
@@ -207,20 +224,29 @@ fresh-results:
 # Where this machine lacks what a part of the tests needs, the results say so.
 PART = bash .ci/part $(abspath $(RESULTS))
 
-test-protocol: $(DONE)/venv-dev
+test-tools: $(DONE)/venv-dev
 	cd .ci/tests && ../../$(BIN)/pytest -q --junitxml=$(abspath $(RESULTS))/ci.xml
+
+test-protocol: $(DONE)/venv-dev
 	cd protocol && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/protocol.xml
 
-test-firmware: $(DONE)/venv-dev $(DONE)/arm $(DONE)/clang
-	$(FIRMWARE) -j 2 test coverage analyse-tidy analyse-misra
-	@$(PART) firmware clang $(FIRMWARE) -j 2 fuzz-test analyse-clang
+FIRMWARE_TESTS := test-firmware-gcc test-firmware-clang test-firmware-images
+.PHONY: $(FIRMWARE_TESTS)
+test-firmware: $(FIRMWARE_TESTS)
+
+test-firmware-gcc: $(DONE)/venv-dev
+	$(FIRMWARE) -k $(JOBS) test coverage analyse-tidy analyse-misra
+
+test-firmware-clang: $(DONE)/venv-dev $(DONE)/clang
+	@$(PART) firmware clang $(FIRMWARE) -k $(JOBS) fuzz-test analyse-clang
+
+test-firmware-images: $(DONE)/arm
 	@$(PART) firmware arm $(MAKE) --no-print-directory -C firmware images size
 
-# More workers than cores: half of the time they wait for lines, processes and clocks. None before the others: the
-# station's own workers take the lowest priority, and would get no processor at all beside long calculations.
+# More workers than cores: half of the time they wait for lines, processes and clocks.
 test-backend: $(DONE)/venv-dev $(DONE)/arm board frontend/dist/index.html
 	$(MAKE) --no-print-directory -C firmware flight-lib
-	cd backend && nice -n 15 ../$(BIN)/pytest -q -n 4 --dist worksteal --junitxml=../$(RESULTS)/backend.xml --cov --cov-report=
+	cd backend && ../$(BIN)/pytest -q -n 4 --dist worksteal --junitxml=../$(RESULTS)/backend.xml --cov --cov-report=
 	cd backend && ../$(BIN)/coverage report --format=total --fail-under=$(COVERED)
 	cd backend && ../$(BIN)/coverage report --format=total --fail-under=$(COVERED_CORE) --include='$(CORE)'
 

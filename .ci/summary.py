@@ -1,8 +1,8 @@
 """Print what failed and why, what was skipped, and one plain line of what passed, from the test runners' JUnit files.
 
-Usage: summary.py FOLDER [LIST]. Fails when a test failed, when a runner left no file or a file without a test, so that
-a suite which did not run cannot pass for one that did, and when a test was skipped that LIST (`skips.txt` beside this
-program) does not allow.
+Usage: summary.py FOLDER [LIST]. Says what each part took (`timed.py`). Fails when a part or a test failed, when a
+runner left no file or a file without a test, so that a suite which did not run cannot pass for one that did, and when a
+test was skipped that LIST (`skips.txt` beside this program) does not allow.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
 from xml.etree import ElementTree as ET
+
+from timed import PASSED
 
 SUITES = ("ci", "protocol", "firmware", "backend", "frontend", "e2e")
 _MOST_LINES = 24
@@ -96,11 +98,20 @@ def tell_skips(suite: str, skipped: list[tuple[str, str]], patterns: list[str]) 
     return good
 
 
+def tell_parts(folder: Path) -> bool:
+    """Print what each part took, the longest first; returns whether all of them passed."""
+    notes = [(path.stem, *path.read_text(encoding="utf-8").split()) for path in folder.glob("*.part")]
+    for part, ended, took_s, used_s in sorted(notes, key=lambda note: -int(note[2])):
+        words = f"{int(took_s) / 60:.1f} min, {int(used_s) / 60:.1f} min of processor time"
+        print(f"{part}: {'' if ended == PASSED else f'{ended.upper()} '}{words}")
+    return all(ended == PASSED for _, ended, *_ in notes)
+
+
 def main(folder: Path, listed: Path) -> int:
-    """Print a line for each suite and the sum; return the exit code."""
+    """Print a line for each part, each suite, and the sum; return the exit code."""
     may_skip = list(allowed(listed.read_text(encoding="utf-8")))
     sums = Counts()
-    good = True
+    good = tell_parts(folder)
     for suite in SUITES:
         counts = count(sorted(folder.glob(f"{suite}*.xml")))
         print(f"{suite}: {counts if counts.total else 'no test was run'}")

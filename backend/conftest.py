@@ -14,9 +14,14 @@ import pytest
 from coverage import Coverage
 from hypothesis import HealthCheck, settings
 
+from tests.support.equal_priority import sitecustomize as equal_priority
 from tests.support.fake_board import FakeBoard
 from tests.support.firmware import lacking_for_images, make
 from tests.support.gateway import Gateway, running_gateway
+
+# For the programs that tests start; this one has loaded it.
+PYTHONPATH = os.environ.get("PYTHONPATH", "")
+os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, (str(Path(equal_priority.__file__).parent), PYTHONPATH)))
 
 # A busy machine is slow: how long an example takes says nothing about whether it is right.
 settings.register_profile("gateway", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -58,6 +63,12 @@ def built_images() -> None:
     if reason := lacking_for_images():
         pytest.skip(reason)
     make("images")
+
+
+@pytest.fixture
+def true_priority(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Programs that the test starts lower their priority as they do for a user."""
+    monkeypatch.setenv("PYTHONPATH", PYTHONPATH)
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 import { existsSync } from "node:fs";
 import { defineConfig } from "@playwright/test";
+import { PATIENCE_MS } from "./support/processes.js";
 
 // Debian's. The shell draws no window of its own, which spares the journeys a seventh of the processor.
 const debian = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"];
@@ -16,9 +17,10 @@ export default defineConfig({
   fullyParallel: process.env.GCS_STATION === undefined,
   forbidOnly: true,
   retries: 0,
-  // A bound for what hangs: a walk through every tab takes minutes where the globe is drawn by the processor alone.
-  timeout: 420_000,
-  expect: { timeout: 60_000 },
+  // For what hangs, and longer than several waits one after the other: a walk through every tab takes minutes where the
+  // globe is drawn by the processor alone.
+  timeout: 1_200_000,
+  expect: { timeout: PATIENCE_MS },
   reporter: process.env.PLAYWRIGHT_JUNIT_OUTPUT_FILE ? [["list"], ["junit"]] : [["list"]],
   use: {
     browserName: "chromium",

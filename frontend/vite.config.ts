@@ -62,8 +62,9 @@ export default defineConfig({
     restoreMocks: true,
     allowOnly: false,
     // Far above what any takes: a busy machine shall not fail a test.
-    testTimeout: 30_000,
-    hookTimeout: 30_000,
+    testTimeout: 240_000,
+    hookTimeout: 240_000,
+    expect: { poll: { timeout: 120_000 } },
     // One worker less than cores is the default, which on two cores is one.
     maxWorkers: "100%",
     // A worker's files share its modules, which is half of the time; what a test changes is its own page's.

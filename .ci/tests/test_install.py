@@ -35,7 +35,7 @@ def installed(tree: Path) -> tuple[list[str], str]:
     """What was asked, and what was said."""
     bash = shutil.which("bash")
     assert bash is not None
-    done = subprocess.run([bash, INSTALL, LOCK], cwd=tree, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run([bash, INSTALL, LOCK], cwd=tree, capture_output=True, text=True, check=True)
     return (tree / "asked").read_text().splitlines(), done.stderr
 
 

@@ -21,9 +21,7 @@ def tree(tmp_path: Path) -> Path:
 
 
 def said(tree: Path, *tag: str) -> tuple[int, str]:
-    done = subprocess.run(
-        [sys.executable, CI / "notes.py", tree, *tag], capture_output=True, text=True, timeout=60, check=False
-    )
+    done = subprocess.run([sys.executable, CI / "notes.py", tree, *tag], capture_output=True, text=True, check=False)
     return done.returncode, done.stdout.strip() if done.returncode == 0 else done.stderr.strip()
 
 

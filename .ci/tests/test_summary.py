@@ -33,7 +33,7 @@ def summary(results: Path, *listed: str) -> tuple[int, str]:
     skips = results.parent / "skips.txt"
     skips.write_text("".join(f"{line}\n" for line in listed))
     done = subprocess.run(
-        [sys.executable, CI / "summary.py", results, skips], capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, CI / "summary.py", results, skips], capture_output=True, text=True, check=False
     )
     return done.returncode, done.stdout + done.stderr
 
@@ -98,6 +98,25 @@ def test_a_line_without_a_reason_or_of_no_suite_is_refused(results: Path, line: 
     assert "line 1 of the list of skips" in said
 
 
+def test_what_each_part_took_is_said_the_longest_first(results: Path) -> None:
+    (results / "short.part").write_text("passed 30 45\n")
+    (results / "long.part").write_text("passed 366 600\n")
+    code, said = summary(results)
+    assert code == 0
+    assert said.splitlines()[:2] == [
+        "long: 6.1 min, 10.0 min of processor time",
+        "short: 0.5 min, 0.8 min of processor time",
+    ]
+
+
+@pytest.mark.parametrize("ended", ["failed", "unended"])
+def test_a_part_that_failed_is_red_although_all_its_tests_passed(results: Path, ended: str) -> None:
+    (results / "lint.part").write_text(f"{ended} 30 45\n")
+    code, said = summary(results)
+    assert code == 1
+    assert f"lint: {ended.upper()} 0.5 min" in said
+
+
 def test_the_list_of_the_project_can_be_read(results: Path) -> None:
-    done = subprocess.run([sys.executable, CI / "summary.py", results], capture_output=True, timeout=60, check=False)
+    done = subprocess.run([sys.executable, CI / "summary.py", results], capture_output=True, check=False)
     assert done.returncode == 0

@@ -12,6 +12,7 @@ from epf_gcs import extras
 from epf_gcs.errors import ConflictError
 from epf_gcs.extras import ALL, FLIGHTS, MAPS, SIM
 from epf_gcs.workers.missing import require
+from tests.support.waiting import DEADLINE_S
 
 # Each program is loaded in an interpreter of its own that does not find these.
 WITHOUT = """
@@ -33,7 +34,11 @@ EVERY = ",".join(module for extra in ALL for module in extra.modules)
 
 def without(modules: str, *program: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-c", WITHOUT, modules, *program], capture_output=True, text=True, check=False, timeout=60
+        [sys.executable, "-c", WITHOUT, modules, *program],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=DEADLINE_S,
     )
 
 

@@ -28,7 +28,6 @@ async function brokenRules(page: Page, rules: readonly string[]) {
 }
 
 test("nothing keeps people out: every tab and window, in every look", async ({ page, flying }) => {
-  test.setTimeout(400_000);
   await open(page, flying);
   const found: string[] = [];
   const tabs = await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").all();

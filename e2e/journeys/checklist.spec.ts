@@ -6,7 +6,7 @@ import { closeMenu, entryOf, openMenu } from "../support/menu.js";
 import { ANY_STATION } from "../support/there.js";
 
 /** Each finding is noted and the walk goes on, so that one run tells all that is missing. */
-const there = expect.configure({ soft: true, timeout: 15_000 });
+const there = expect.configure({ soft: true, timeout: 60_000 });
 
 /** One part as the open tab has it: visible, with its words, and with a reason where it is disabled. */
 async function findsIn(panel: Locator, { role, name, reads = [], count }: Part, what: string): Promise<void> {

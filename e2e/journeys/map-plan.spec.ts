@@ -7,9 +7,6 @@ import { expect, open, test } from "../support/fixtures.js";
 import { partOf, pixelsOf } from "../support/pixels.js";
 import type { Station } from "../support/station.js";
 
-/** The software renderer's first frames of the globe, compiled shaders and all. */
-const GLOBE_MS = 90_000;
-
 /** The route Gando begins again after its last. */
 const GANDO_WAYPOINTS = 8;
 
@@ -20,9 +17,7 @@ async function openMap(page: Page, station: Station, kind: "2d" | "3d"): Promise
   await open(page, station);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
   await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
-  await expect(page.getByRole("button", { name: "Ver todo", exact: true })).toBeEnabled({
-    timeout: GLOBE_MS,
-  });
+  await expect(page.getByRole("button", { name: "Ver todo", exact: true })).toBeEnabled();
 }
 
 test("a waypoint is pushed on the map, taken back, pushed again and sent, and the board flies on with it", async ({
@@ -103,7 +98,7 @@ test("a map file of the operator's is taken in, stands in the list and is seen o
   // Within what the globe's light makes of it.
   const isRed = (red: number, green: number, blue: number): boolean => red > 120 && green < 70 && blue < 70;
   const redPart = async (canvas: string): Promise<number> => partOf(await pixelsOf(page, page.locator(canvas)), isRed);
-  await expect.poll(() => redPart(".map-host .globe-picture"), { timeout: GLOBE_MS }).toBeGreaterThan(0.5);
+  await expect.poll(() => redPart(".map-host .globe-picture")).toBeGreaterThan(0.5);
 
   await page.getByRole("radio", { name: "Mapa 2D", exact: true }).check({ force: true });
   await expect.poll(() => redPart(".map-flat canvas")).toBeGreaterThan(0.5);

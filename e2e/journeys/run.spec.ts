@@ -2,7 +2,7 @@ import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { expect, test } from "@playwright/test";
-import { freeTcpPort, PATIENCE_MS, Program, ROOT, until } from "../support/processes.js";
+import { freeTcpPort, Program, ROOT, until } from "../support/processes.js";
 
 test("one command flies: it prints the page's address, the loop is closed, and Ctrl-C leaves nothing behind", async ({
   page,
@@ -21,7 +21,7 @@ test("one command flies: it prints the page's address, the loop is closed, and C
       return telemetry.fms_hil_plan.values.distance_m as number;
     };
     const first = await distance();
-    await expect.poll(distance, { timeout: PATIENCE_MS }).toBeLessThan(first - 200);
+    await expect.poll(distance).toBeLessThan(first - 200);
   } finally {
     expect(await launcher.stop("SIGINT")).toBe(0);
     await rm(data, { recursive: true, force: true });

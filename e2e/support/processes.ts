@@ -8,9 +8,10 @@ import { fileURLToPath } from "node:url";
 export const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 
 /** Patience for anything that a slow machine may take long over; never a wait in itself. */
-export const PATIENCE_MS = 60_000;
+export const PATIENCE_MS = 180_000;
 
-const STOP_MS = 10_000;
+/** With it no worker of a station lowers its priority: beside a browser that draws a globe it would wait for minutes. */
+const EQUAL_PRIORITY = { PYTHONPATH: `${ROOT}/backend/tests/support/equal_priority` };
 
 /** A program that the test started, with all that it printed; only such programs are ever ended. */
 export class Program {
@@ -26,7 +27,7 @@ export class Program {
   ) {
     this.child = spawn(command, args, {
       cwd: ROOT,
-      env: { ...process.env, ...env },
+      env: { ...process.env, ...EQUAL_PRIORITY, ...env },
       stdio: ["ignore", "pipe", "pipe"],
     });
     this.child.stdout?.on("data", (chunk: Buffer) => (this.output += chunk.toString()));
@@ -52,7 +53,7 @@ export class Program {
   /** End it and wait until it is gone; by force when it does not go by itself. Returns its exit status. */
   async stop(signal: NodeJS.Signals = "SIGTERM"): Promise<number | null> {
     if (this.running) this.child.kill(signal);
-    const force = setTimeout(() => this.child.kill("SIGKILL"), STOP_MS);
+    const force = setTimeout(() => this.child.kill("SIGKILL"), PATIENCE_MS);
     const code = await this.gone;
     clearTimeout(force);
     return code;

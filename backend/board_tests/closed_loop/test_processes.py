@@ -16,10 +16,10 @@ import pytest
 from board_tests.closed_loop.closed_loop import LIBRARY, ClosedLoop
 from epf_gcs.simulator.simulation import SimulationOptions
 from tests.support.ports import free_port
+from tests.support.waiting import DEADLINE_S
 
 BOARD = LIBRARY.with_name("epf-board")
 LOOPBACK = "127.0.0.1"
-DEADLINE_S = 60.0
 FRAMES = 5000  # 100 simulated seconds: past the first waypoint
 
 

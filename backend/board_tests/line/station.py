@@ -22,8 +22,8 @@ from epf_gcs.codec.encode import encode_command, frame_bytes
 from epf_gcs.codec.frame import TO_BOARD, Damage, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS, OPEN_BINARY_MODE, TELEMETRY_BY_NAME
 from tests.support.firmware import FIRMWARE
+from tests.support.waiting import DEADLINE_S
 
-DEADLINE_S: Final = 20.0
 VERSION: Final = "epf-board 1.0.0"
 
 T = TypeVar("T")

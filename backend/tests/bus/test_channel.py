@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from epf_gcs.bus.channel import Channel
-from tests.support.waiting import eventually_async
+from tests.support.waiting import DEADLINE_S, eventually_async
 
 _LONG = bytes(range(256)) * 20_000
 
@@ -29,7 +29,7 @@ async def test_what_the_system_does_not_take_at_once_follows_in_order() -> None:
     assert channel.unsent_bytes > 0, "more than fits at once"
     got, loop = bytearray(), asyncio.get_running_loop()
     while len(got) < len(_LONG) + 7:
-        got += await asyncio.wait_for(loop.sock_recv(theirs, 65536), 10.0)
+        got += await asyncio.wait_for(loop.sock_recv(theirs, 65536), DEADLINE_S)
     assert bytes(got) == _LONG + b"the end"
     assert channel.unsent_bytes == 0
     channel.close()
@@ -69,7 +69,7 @@ async def test_a_single_long_message_arrives_whole_with_nothing_sent_after_it() 
     channel.send(_LONG)
     got, loop = bytearray(), asyncio.get_running_loop()
     while len(got) < len(_LONG):
-        got += await asyncio.wait_for(loop.sock_recv(theirs, 65536), 10.0)
+        got += await asyncio.wait_for(loop.sock_recv(theirs, 65536), DEADLINE_S)
     assert bytes(got) == _LONG
     channel.close()
     theirs.close()

@@ -18,7 +18,7 @@ from epf_gcs.bus.definition import Asker, Kind, Named, pack
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, UnavailableError
-from tests.support.waiting import eventually_async
+from tests.support.waiting import DEADLINE_S, eventually_async
 
 
 class Heard:
@@ -454,7 +454,7 @@ async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Pat
         vehicle.broadcast.event("alarm", {})
         for topic in ("gps", "ahrs"):
             vehicle.broadcast.sample(topic, 2.0, {})
-        async with asyncio.timeout(5.0):
+        async with asyncio.timeout(DEADLINE_S):
             assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
         assert [sample.name for sample in heard.samples] == ["ahrs", "gps", "ahrs"]
     await vehicle.stop()
@@ -467,7 +467,7 @@ async def test_a_request_behind_a_notice_that_fails_is_answered(tmp_path: Path) 
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
         station.notice("stick", roll=1.0)
-        async with asyncio.timeout(5.0):
+        async with asyncio.timeout(DEADLINE_S):
             assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
     await vehicle.stop()
 

@@ -12,6 +12,7 @@ from epf_gcs.codec.frame import FROM_BOARD, Damage, Direction, Frame, FrameDecod
 from tests.codec.streams import BOTH, DamagedStream, damage, mixed_frames, placed
 from tests.codec.vectors import CHUNKS, decode, direction, failures, frames, load
 from tests.support.firmware import FIRMWARE, make
+from tests.support.waiting import DEADLINE_S
 
 pytestmark = pytest.mark.uncounted
 
@@ -70,7 +71,7 @@ def decode_stream() -> Path:
 
 def _decode_in_c(program: Path, data: bytes, chunk: int, name: str) -> tuple[list[tuple[int, str]], int]:
     made = subprocess.run(
-        [str(program), str(chunk), name], input=data, capture_output=True, check=True, timeout=120
+        [str(program), str(chunk), name], input=data, capture_output=True, check=True, timeout=DEADLINE_S
     ).stdout.decode("ascii")
     *lines, last = made.splitlines()
     found = [(int(line.split(" ")[0]), line.split(" ")[1]) for line in lines]

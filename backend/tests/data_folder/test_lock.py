@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.data_folder.lock import WEB, DataFolder, check_free, is_in_use
+from epf_gcs.data_folder.lock import FORMAT_FILE, WEB, DataFolder, held_by_launcher, is_in_use
 from epf_gcs.errors import ConflictError
 
 HOLDER = """
 import sys
 from pathlib import Path
-from epf_gcs.data_folder.lock import WEB, DataFolder, check_free, is_in_use
+from epf_gcs.data_folder.lock import FORMAT_FILE, WEB, DataFolder, held_by_launcher, is_in_use
 folder = DataFolder(Path(sys.argv[1]))
 print("held", flush=True)
 sys.stdin.read()
@@ -52,6 +52,9 @@ def test_our_own_folder_is_closed_to_all_others_from_then_on(tmp_path: Path) -> 
     folder.mkdir()
     folder.chmod(0o755)
     with DataFolder(folder):
+        assert stat.S_IMODE(folder.stat().st_mode) == 0o755, "it may be anything that somebody named"
+    (folder / FORMAT_FILE).write_text("{}")
+    with DataFolder(folder):
         assert stat.S_IMODE(folder.stat().st_mode) == 0o700
         assert stat.S_IMODE((folder / ".lock").stat().st_mode) == 0o600
 
@@ -62,10 +65,11 @@ def test_a_web_process_alone_keeps_a_second_one_out_and_counts_as_a_station(tmp_
             DataFolder(tmp_path, WEB)
         assert is_in_use(tmp_path)
         with pytest.raises(ConflictError):
-            check_free(tmp_path, patience_s=0.0)
+            held_by_launcher(tmp_path, patience_s=0.0)
         with DataFolder(tmp_path):
             """The flight process has a lock of its own."""
-    check_free(tmp_path, patience_s=0.0)
+    with held_by_launcher(tmp_path, patience_s=0.0), pytest.raises(ConflictError):
+        held_by_launcher(tmp_path, patience_s=0.0)
 
 
 def test_the_number_of_one_before_with_more_digits_leaves_nothing_behind(tmp_path: Path) -> None:

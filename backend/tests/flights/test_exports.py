@@ -39,6 +39,7 @@ from tests.codec.streams import mixed_frames
 from tests.flights.flown_flights import FLIGHT, indexed, quiet, recording
 from tests.flights.test_columns import recording as recording_of
 from tests.recordings.files import START_NS
+from tests.support.waiting import DEADLINE_S
 
 
 @pytest.fixture(scope="module")
@@ -317,7 +318,7 @@ def test_a_cancelled_export_leaves_nothing_and_tells_its_progress(flight: Path) 
     first = orjson.loads(process.stdout.readline())
     assert first == {"progress": 0.0, "doing": "exporting"}
     process.send_signal(signal.SIGTERM)
-    process.communicate(timeout=20)
+    process.communicate(timeout=DEADLINE_S)
     assert process.returncode in (0, 128 + signal.SIGTERM)
     left = [path.name for path in exports.iterdir()]
     assert left in ([], ["file"]), "whole or not there"

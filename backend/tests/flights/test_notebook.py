@@ -11,6 +11,7 @@ import pytest
 from nbclient import NotebookClient
 
 from tests.flights.flown_flights import FLIGHT, indexed, recording
+from tests.support.waiting import DEADLINE_S
 
 NOTEBOOK = Path(__file__).parents[3] / "notebooks" / "flight.ipynb"
 
@@ -29,7 +30,7 @@ def test_it_reads_a_flights_parquet_and_plots_it(
     monkeypatch.setenv("EPF_COLUMNS", str(tmp_path / "columns"))
     monkeypatch.setenv("IPYTHONDIR", str(tmp_path / "ipython"))
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "runtime"))
-    NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    NotebookClient(notebook, timeout=DEADLINE_S, resources={"metadata": {"path": str(tmp_path)}}).execute()
     shown = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     assert any("image/png" in output.get("data", {}) for output in shown), "a plot was drawn"
     assert any(FLIGHT in output.get("data", {}).get("text/plain", "") for output in shown), "the flight is listed"

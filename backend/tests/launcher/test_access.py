@@ -19,6 +19,7 @@ from epf_gcs.launcher.gateway_client import GatewayClient, RefusedError
 from tests.support.callers import stranger, strict_gateway
 from tests.support.gateway import running_gateway
 from tests.support.programs import gateway_process
+from tests.support.waiting import DEADLINE_S
 
 KEY = r"[0-9A-Z]{4}(?:-[0-9A-Z]{4}){3}"
 
@@ -29,7 +30,7 @@ PATH = ":".join(sys.path)
 def invite(*arguments: str | Path, **variables: str) -> subprocess.CompletedProcess[str]:
     """`epf-gcs invite` as a user runs it."""
     command = [sys.executable, "-m", "epf_gcs.launcher.gateway", "invite", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60, env={**variables})
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=DEADLINE_S, env={**variables})
 
 
 def test_an_invitation_of_the_command_line_lets_one_in_while_the_station_runs(tmp_path: Path) -> None:

@@ -11,8 +11,7 @@ import pytest
 
 from epf_gcs.launcher.child import Child
 from epf_gcs.launcher.errors import LaunchError
-
-DEADLINE_S = 20.0
+from tests.support.waiting import DEADLINE_S
 
 
 def eventually(condition: Callable[[], bool]) -> None:

@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 from epf_gcs.launcher import config, gateway
 from epf_gcs.launcher.config import entries_of, load_config
 from epf_gcs.launcher.errors import LaunchError
+from tests.support.waiting import DEADLINE_S
 
 app = typer.Typer()
 seen: dict[str, Any] = {}
@@ -191,7 +192,7 @@ def test_the_shell_completes_options() -> None:
         capture_output=True,
         text=True,
         check=False,
-        timeout=60,
+        timeout=DEADLINE_S,
         env={
             **os.environ,
             "_EPF_GCS_COMPLETE": "complete_bash",

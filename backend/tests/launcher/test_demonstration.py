@@ -21,8 +21,8 @@ from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port, listener_of
 from epf_gcs.product import BOARD
 from tests.support.ports import free_udp_port
 from tests.support.programs import sockets_of
+from tests.support.waiting import DEADLINE_S
 
-DEADLINE_S = 60.0
 GANDO_WAYPOINTS = 8
 
 Status = dict[str, Any]

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.launcher.service import Service
+from tests.support.waiting import DEADLINE_S
 
 UNITS = sorted((Path(__file__).parents[3] / "packaging" / "linux").glob("*.service"))
 
@@ -34,7 +35,7 @@ def test_a_systemd_that_is_gone_stops_nothing(tmp_path: Path) -> None:
 def test_the_gateway_says_when_it_is_ready_that_it_lives_and_when_it_ends(tmp_path: Path) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as systemd:
         systemd.bind(str(tmp_path / "notify"))
-        systemd.settimeout(60)
+        systemd.settimeout(DEADLINE_S)
         environment = {**os.environ, "NOTIFY_SOCKET": str(tmp_path / "notify"), "WATCHDOG_USEC": "200000"}
         command = [
             sys.executable,
@@ -64,6 +65,6 @@ def test_the_gateway_says_when_it_is_ready_that_it_lives_and_when_it_ends(tmp_pa
 def test_systemd_finds_the_services_little_exposed(unit: Path) -> None:
     # Its measure from 0 to 10, in tenths; below 3 it has a friendly word for it.
     command = ["systemd-analyze", "security", "--offline=yes", "--threshold=29", "--no-pager", str(unit)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=DEADLINE_S, check=False)
     assert "Overall exposure level" in done.stdout
     assert done.returncode == 0, done.stdout[-500:]

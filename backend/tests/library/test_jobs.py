@@ -71,7 +71,6 @@ def test_a_cancelled_job_leaves_nothing_and_is_not_begun_again_by_itself(large: 
         assert gateway.http.get(f"/flights/{FLIGHT}").json()["state"] == "indexing"
         before = (large / "recordings" / f"{FLIGHT}.mcap").read_bytes()
         (worker,) = found(os.getpid(), "epf_gcs.flights pack")
-        assert os.getpriority(os.PRIO_PROCESS, worker) == 19
         cancelled = gateway.http.delete(f"/jobs/{job['id']}").raise_for_status().json()
         assert (cancelled["state"], cancelled["fault"]) == ("cancelled", None)
         assert not is_alive(worker)
@@ -83,6 +82,14 @@ def test_a_cancelled_job_leaves_nothing_and_is_not_begun_again_by_itself(large: 
         assert not [one for one in gateway.http.get("/jobs").json()["jobs"] if one["state"] in ("waiting", "running")]
         gateway.http.post(f"/flights/{FLIGHT}/index").raise_for_status()
         waits(gateway, "pack", lambda job: job["state"] == "running")
+
+
+@pytest.mark.usefixtures("true_priority")
+def test_a_worker_is_of_the_lowest_priority(large: Path) -> None:
+    with running_gateway(large):
+        eventually(lambda: bool(found(os.getpid(), "epf_gcs.flights pack")), "a worker")
+        (worker,) = found(os.getpid(), "epf_gcs.flights pack")
+        eventually(lambda: os.getpriority(os.PRIO_PROCESS, worker) == 19, "it steps back before it works")
 
 
 def test_a_gateway_that_ends_ends_its_workers(large: Path) -> None:
@@ -108,7 +115,7 @@ def silent_worker(gateway: Program, data: Path) -> tuple[int, int]:
     httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index").raise_for_status()
     eventually(lambda: bool(found(web, "epf_gcs.flights pack")), "its worker")
     (worker,) = found(web, "epf_gcs.flights pack")
-    eventually(lambda: os.getpriority(os.PRIO_PROCESS, worker) == 19, "the worker has begun")
+    eventually(lambda: len(list(Path(f"/proc/{worker}/task").iterdir())) > 1, "the worker watches for its parent's end")
     return web, worker
 
 

@@ -10,7 +10,7 @@ import pytest
 from epf_gcs.errors import LinkError
 from epf_gcs.link.udp import Found, UdpAddress, UdpCallbacks, UdpLink, open_udp
 from tests.support.ports import free_udp_port
-from tests.support.waiting import eventually_async
+from tests.support.waiting import DEADLINE_S, eventually_async
 
 pytestmark = pytest.mark.anyio
 
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.anyio
 def simulator() -> Iterator[socket.socket]:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
         sock.bind(("127.0.0.1", 0))
-        sock.settimeout(20.0)
+        sock.settimeout(DEADLINE_S)
         yield sock
 
 
@@ -64,7 +64,7 @@ def other() -> Iterator[socket.socket]:
     """Another program on the simulator's machine."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
         sock.bind(("127.0.0.1", 0))
-        sock.settimeout(20.0)
+        sock.settimeout(DEADLINE_S)
         yield sock
 
 
@@ -177,7 +177,7 @@ async def test_a_name_with_addresses_of_both_kinds_is_heard_and_answered_on_eith
     heard = Heard()
     with socket.socket(family, socket.SOCK_DGRAM) as simulator:
         simulator.bind((number, 0))
-        simulator.settimeout(20.0)
+        simulator.settimeout(DEADLINE_S)
         link = await heard.open(simulator.getsockname()[1], "localhost", "::1", "127.0.0.1")
         assert link.send(b"before it was heard")
         assert simulator.recv(100) == b"before it was heard"

@@ -20,6 +20,7 @@ from epf_gcs.maps.layer import Bounds
 from epf_gcs.maps.mbtiles import MbTiles
 from epf_gcs.maps.terrain_worker import MOST_TILES, convert, highest_zoom
 from tests.support.maps import Mesh, decode_mesh, write_raster
+from tests.support.waiting import DEADLINE_S
 
 
 def hills(x: Any, y: Any) -> Any:
@@ -127,7 +128,7 @@ def test_the_process_tells_its_percents_or_its_problem(tmp_path: Path) -> None:
         done = subprocess.run(
             [*worker, str(tmp_path / name), str(tmp_path / f"{name}.mbtiles"), name, ""],
             capture_output=True,
-            timeout=120,
+            timeout=DEADLINE_S,
             check=False,
         )
         return done.returncode, [orjson.loads(line) for line in done.stdout.splitlines()]

@@ -9,8 +9,9 @@ from contextlib import closing
 
 import pytest
 
+from tests.support.waiting import DEADLINE_S
+
 LOOPBACK = "127.0.0.1"
-DEADLINE_S = 30.0
 
 
 def epf_sim(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -11,9 +11,9 @@ from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.server import Pace, Server
 from epf_gcs.simulator.simulation import Simulation, SimulationOptions
 from epf_gcs.xplane.datagram import Surfaces, parse, surfaces_datagram
+from tests.support.waiting import DEADLINE_S
 
 LOOPBACK = "127.0.0.1"
-DEADLINE_S = 20.0
 COMMAND = surfaces_datagram(Surfaces(-0.16, 0.03, 0.0, 0.71))
 
 

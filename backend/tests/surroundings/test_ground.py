@@ -13,6 +13,7 @@ from epf_gcs.formats.quantized_mesh import CELLS, encode_tile
 from epf_gcs.maps.folder import MapFolder
 from epf_gcs.maps.layer import Layer
 from epf_gcs.surroundings.ground import Ground
+from tests.support.waiting import DEADLINE_S
 
 ZOOM, COLUMN, ROW = 8, 234, 167
 SIZE_DEG = 180.0 / (1 << ZOOM)
@@ -60,7 +61,7 @@ def test_heights_come_when_they_were_read_and_unknown_ones_never(tmp_path: Path)
         ground = Ground(FolderTiles(folder))
         assert np.isnan(ground.heights(north, east)).all()
         reading = asyncio.create_task(ground.run())
-        async with asyncio.timeout(20):
+        async with asyncio.timeout(DEADLINE_S):
             while np.isnan(ground.heights(north, east)).all():  # noqa: ASYNC110 - nobody tells when a tile was read
                 await asyncio.sleep(0.02)
         assert ground.has_heights

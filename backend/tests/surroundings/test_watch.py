@@ -16,6 +16,7 @@ from epf_gcs.maps.layer import Bounds, Description, Layer
 from epf_gcs.surroundings.choice import FenceCorner
 from epf_gcs.surroundings.kept import FILE_NAME, OFF, KeptSurroundings
 from epf_gcs.surroundings.watch import Surroundings
+from tests.support.waiting import DEADLINE_S
 
 FIELD = Description("field", "terrain", Bounds(-16, 27, -15, 29), 0, 6, "")
 
@@ -95,7 +96,7 @@ class Station:
 async def run(station: Station) -> asyncio.Task[None]:
     """Begin to look for heights, and wait until the layer is known."""
     running = asyncio.create_task(station.watch.run())
-    async with asyncio.timeout(20):
+    async with asyncio.timeout(DEADLINE_S):
         while station.watch.state()["flight"]["ground_ft"] is None:
             station.now_s += 0.2
             station.mirror.gps(station.now_s, 1000.0)

@@ -11,6 +11,8 @@ import sys
 
 import pytest
 
+from tests.support.waiting import DEADLINE_S
+
 # Modules and names that Windows lacks; macOS lacks some of the names.
 _REAL_TIME = "os.sched_setscheduler os.sched_param os.SCHED_RR os.fdatasync"
 _POSIX = (
@@ -64,7 +66,11 @@ PROGRAMS = "epf_gcs.launcher epf_gcs.launcher.gateway epf_gcs.flight epf_gcs.web
 @pytest.mark.parametrize("lacking", [WINDOWS_LACKS, MACOS_LACKS], ids=["windows", "macos"])
 def test_every_module_can_be_loaded_and_every_program_tells_its_options(lacking: tuple[str, str]) -> None:
     answer = subprocess.run(
-        [sys.executable, "-c", HIDDEN, *lacking, PROGRAMS], capture_output=True, text=True, check=False, timeout=300
+        [sys.executable, "-c", HIDDEN, *lacking, PROGRAMS],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=DEADLINE_S,
     )
     assert "all are loaded" in answer.stdout, answer.stderr[-2000:]
     for program in PROGRAMS.split():

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.system import priority
+from tests.support.waiting import DEADLINE_S
 
 _SAY_ALL = """
 import os, threading
@@ -64,7 +65,7 @@ print(started.stdout)
 
 def _cores_of(part: str, allowed: set[int]) -> set[int]:
     command = [sys.executable, "-c", _CORES, part, *map(str, allowed)]
-    said = subprocess.run(command, check=True, timeout=20, capture_output=True, text=True).stdout
+    said = subprocess.run(command, check=True, timeout=DEADLINE_S, capture_output=True, text=True).stdout
     return set(map(int, said.split()))
 
 
@@ -84,12 +85,14 @@ def _refuse(*_: object) -> None:
     raise PermissionError
 
 
+@pytest.mark.usefixtures("true_priority")
 def test_what_it_says_is_what_the_process_and_its_threads_have() -> None:
-    subprocess.run([sys.executable, "-c", _SAY_ALL], check=True, timeout=20)
+    subprocess.run([sys.executable, "-c", _SAY_ALL], check=True, timeout=DEADLINE_S)
 
 
+@pytest.mark.usefixtures("true_priority")
 def test_the_repair_of_old_recordings_gives_way_to_everything(tmp_path: Path) -> None:
-    subprocess.run([sys.executable, "-c", _REPAIR, str(tmp_path / "absent.mcap")], check=True, timeout=20)
+    subprocess.run([sys.executable, "-c", _REPAIR, str(tmp_path / "absent.mcap")], check=True, timeout=DEADLINE_S)
 
 
 def test_without_the_permission_for_real_time_it_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import os
+import signal
 import sys
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
@@ -11,6 +13,7 @@ from typing import Any, TypeVar
 import pytest
 
 from epf_gcs.system.threaded_loop import ThreadedLoop
+from tests.support.waiting import DEADLINE_S
 
 Answer = TypeVar("Answer")
 PIPE = asyncio.subprocess.PIPE
@@ -19,7 +22,7 @@ MUCH = 4_000_000
 
 def on_loop(work: Callable[[], Awaitable[Answer]]) -> Answer:
     async def within_time() -> Answer:
-        async with asyncio.timeout(60):
+        async with asyncio.timeout(DEADLINE_S):
             return await work()
 
     with asyncio.Runner(loop_factory=ThreadedLoop) as runner:
@@ -86,12 +89,19 @@ def test_the_end_of_its_input_reaches_a_program() -> None:
 
 def test_one_that_is_killed_is_noticed_while_others_still_hold_its_output() -> None:
     async def work() -> int:
-        code = "import subprocess, sys, time\nsubprocess.Popen([sys.executable, '-c', 'import time; time.sleep(3)'])\n"
-        async with program(f"{code}print('there', flush=True); time.sleep(1000)", stdout=PIPE) as process:
+        code = (
+            "import subprocess, sys, time\n"
+            "other = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(1000)'])\n"
+            "print(other.pid, flush=True); time.sleep(1000)"
+        )
+        async with program(code, stdout=PIPE) as process:
             assert process.stdout is not None
-            await process.stdout.readline()
-            process.kill()
-            return await process.wait()
+            other = int(await process.stdout.readline())
+            try:
+                process.kill()
+                return await process.wait()
+            finally:
+                os.kill(other, signal.SIGKILL)
 
     assert on_loop(work) == -9
 

@@ -17,7 +17,7 @@ from epf_gcs.maps.imports import RESERVE_BYTES
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.maps import png, write_mbtiles, write_raster
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 
 @pytest.fixture
@@ -117,7 +117,7 @@ class Sending:
 
     def answer(self) -> bytes:
         """What comes back in the end."""
-        self.socket.settimeout(20)
+        self.socket.settimeout(DEADLINE_S)
         return self.socket.recv(65536)
 
 

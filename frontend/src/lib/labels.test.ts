@@ -30,11 +30,10 @@ const SEEDS = Array.from({ length: 40 }, (_, index) => 7919 * (index + 1));
 test.each(SEEDS)("no two boxes of a crowd meet (%i)", (seed) => {
   const placed = [...placeLabels(crowd(seed, 400), NOBODY).values()];
   expect(placed.length).toBeGreaterThan(30);
-  for (const [index, one] of placed.entries()) {
-    for (const other of placed.slice(index + 1)) {
-      expect(meets(one.box, other.box)).toBe(false);
-    }
-  }
+  const meeting = placed.filter((one, index) =>
+    placed.some((other, at) => at > index && meets(one.box, other.box)),
+  );
+  expect(meeting).toEqual([]);
 });
 
 test.each(SEEDS)(
@@ -43,12 +42,13 @@ test.each(SEEDS)(
     const wanted = crowd(seed, 300);
     const placed = placeLabels(wanted, NOBODY);
     const byKey = new Map(wanted.map((label) => [label.key, label]));
-    for (const label of wanted.filter(({ key }) => !placed.has(key))) {
+    const leftOut = wanted.filter(({ key }) => !placed.has(key));
+    expect(leftOut.length).toBeGreaterThan(30);
+    const withoutCause = leftOut.filter((label) => {
       const higher = [...placed].filter(([key]) => (byKey.get(key)?.rank ?? 0) >= label.rank);
-      for (const side of sidesOf(label)) {
-        expect(higher.some(([, { box }]) => meets(side, box, 2))).toBe(true);
-      }
-    }
+      return !sidesOf(label).every((side) => higher.some(([, { box }]) => meets(side, box, 2)));
+    });
+    expect(withoutCause).toEqual([]);
   },
 );
 
@@ -66,7 +66,8 @@ test.each(SEEDS)("a crowd that moves as one keeps every label on its side (%i)",
   expect([...placed].map(([key, { side }]) => `${key} ${side}`).sort()).toEqual(first);
 });
 
-test("ranks that waver do not let labels take turns", () => {
+test("of two labels with room for one, the one that is shown stays until the other is clearly higher in rank", () => {
+  // Whichever side each is on, the boxes meet: they begin at their places.
   const pair = (one: number, other: number): WantedLabel[] =>
     [one, other].map((rank, index) => ({
       key: `${index}`,
@@ -74,15 +75,15 @@ test("ranks that waver do not let labels take turns", () => {
       at: { x: 100 + index, y: 100 },
       width: 500,
       height: 300,
-      away_px: 1,
+      away_px: 0,
       isSought: false,
     }));
-  // Sides of two such wide labels at one place are free only on the other side of it.
-  const crowded = (one: number, other: number): WantedLabel[] => [...pair(one, other)];
-  let placed = placeLabels(crowded(10, 9), NOBODY);
-  const shown = [...placed.keys()];
-  placed = placeLabels(crowded(10, 10 + KEPT_RANK - 1), placed);
-  expect([...placed.keys()]).toEqual(expect.arrayContaining(shown));
+  let placed = placeLabels(pair(10, 9), NOBODY);
+  expect([...placed.keys()]).toEqual(["0"]);
+  placed = placeLabels(pair(10, 10 + KEPT_RANK - 1), placed);
+  expect([...placed.keys()]).toEqual(["0"]);
+  placed = placeLabels(pair(10, 10 + KEPT_RANK + 1), placed);
+  expect([...placed.keys()]).toEqual(["1"]);
 });
 
 test("what is taken is left free", () => {

@@ -8,6 +8,8 @@ const { asyncWrapper } = getConfig();
 const nothing = createRoot(document.createElement("div"));
 
 configure({
+  // A second of its own would be short on a busy machine. Nothing else needs this long but what never comes.
+  asyncUtilTimeout: 120_000,
   asyncWrapper: async (wait) => {
     const found = await asyncWrapper(wait);
     act(() => nothing.render(null));

@@ -16,6 +16,10 @@ from epf_gcs.system.locks import lock
 _FILE: Final = ".lock"
 WEB: Final = ".web.lock"
 """The web process's own: it writes other files of the folder than the flight process."""
+STATION: Final = ".station.lock"
+"""The launcher's, for as long as it runs: of two that start at once, one waits for no part of the other."""
+FORMAT_FILE: Final = "format.json"
+"""A folder with it is a station's. Any other that somebody names is left to its rights."""
 # A process that is ending may hold the lock for this long.
 _PATIENCE_S: Final = 3.0
 _LOOK_AGAIN_S: Final = 0.05
@@ -30,7 +34,8 @@ class DataFolder:
     def __init__(self, path: Path, name: str = _FILE) -> None:
         self.path = path
         path.mkdir(mode=0o700, parents=True, exist_ok=True)
-        keep_private(path)
+        if (path / FORMAT_FILE).exists():
+            keep_private(path)
         # Not truncated: it may hold the id of the process that has the lock.
         self._file: BinaryIO | None = os.fdopen(os.open(path / name, os.O_RDWR | os.O_CREAT, 0o600), "r+b")
         if not lock(self._file):
@@ -75,10 +80,17 @@ def held(path: Path, patience_s: float = _PATIENCE_S, name: str = _FILE) -> Data
         time.sleep(_LOOK_AGAIN_S)
 
 
-def check_free(path: Path, patience_s: float = _PATIENCE_S) -> None:
-    """Raise ConflictError if a station has the folder, after a short wait for one that is ending. Keeps no lock."""
-    for name in (_FILE, WEB):
-        held(path, patience_s, name).release()
+def held_by_launcher(path: Path, patience_s: float = _PATIENCE_S) -> DataFolder:
+    """The folder for a launcher, whose processes lock their own parts of it. Raises ConflictError if a station has any
+    part, after a short wait for one that is ending, and OSError."""
+    station = held(path, patience_s, STATION)
+    try:
+        for name in (_FILE, WEB):
+            held(path, patience_s, name).release()
+    except BaseException:
+        station.release()
+        raise
+    return station
 
 
 def keep_private(path: Path) -> None:

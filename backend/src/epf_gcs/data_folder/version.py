@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs import __version__
+from epf_gcs.data_folder.lock import FORMAT_FILE
 from epf_gcs.disk import replace_file, set_aside
 
 FORMAT: Final = 2
 """What this version reads and writes."""
-FILE: Final = "format.json"
+FILE: Final = FORMAT_FILE
 _UNNUMBERED: Final = 1
 _LONGEST: Final = 10_000
-_OF_THE_LAUNCHER: Final = frozenset({".lock", ".web.lock", "run.lock", "logs", "card", "board.pty"})
+_OF_THE_LAUNCHER: Final = frozenset({".lock", ".web.lock", ".station.lock", "run.lock", "logs", "card", "board.pty"})
 
 Say = Callable[[str], None]
 """Told one sentence for the person who starts the station."""

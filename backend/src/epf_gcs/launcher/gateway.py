@@ -16,7 +16,7 @@ from typing import Annotated, Final
 
 import typer
 
-from epf_gcs.data_folder.lock import check_free
+from epf_gcs.data_folder.lock import held_by_launcher
 from epf_gcs.data_folder.place import data_folder
 from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.data_folder.version import FormatError
@@ -231,7 +231,7 @@ def run(
             subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
         )
     try:
-        check_free(data_dir)
+        folder = held_by_launcher(data_dir)
         bring_up_to_date(data_dir, _say)
         listener = listen(host, port)
     except GatewayError as error:
@@ -257,7 +257,8 @@ def run(
     if print_key and not is_loopback(host):
         command = invite_command(data_dir, host, port, tls=bool(encryption))
         threading.Thread(target=print_invitation, args=(command,), name="invitation", daemon=True).start()
-    code = gateway.run()
+    with folder:
+        code = gateway.run()
     # Both processes have ended.
     raise typer.Exit(code)
 

@@ -30,7 +30,18 @@ from epf_gcs.launcher.errors import LaunchError
 LIST: Final = "epf-gcs-backup.json"
 # Made again from the recordings, or of this run alone.
 _LEFT_OUT: Final = frozenset(
-    {"columns", "exports", "logs", "library.sqlite", ".lock", ".web.lock", "run.lock", "board.pty", WHEREABOUTS}
+    {
+        "columns",
+        "exports",
+        "logs",
+        "library.sqlite",
+        ".lock",
+        ".web.lock",
+        ".station.lock",
+        "run.lock",
+        "board.pty",
+        WHEREABOUTS,
+    }
 )
 _DATABASE_MARKS: Final = ("-journal", "-wal", "-shm")
 _BLOCK_BYTES: Final = 1 << 20

@@ -7,7 +7,6 @@ import os
 import resource
 import shutil
 import struct
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -301,31 +300,3 @@ def test_at_the_policys_limit_recording_stops_unless_older_flights_are_deleted(t
     (lost,) = [note for file in tmp_path.glob("*.mcap") for note in notes_of(file) if note.name == LOST]
     assert lost.content["bytes"] == 4
     assert "free on the disk" in lost.content["reason"]
-
-
-def test_a_power_cut_takes_less_than_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each byte is followed by a push to the disk that ends, slow as the disk is, within a second of its coming."""
-    pushed: list[tuple[float, int]] = []
-    push = os.fdatasync
-
-    def slowly(descriptor: int) -> None:
-        size = os.fstat(descriptor).st_size
-        time.sleep(0.15)
-        push(descriptor)
-        pushed.append((time.monotonic(), size))
-
-    monkeypatch.setattr(os, "fdatasync", slowly)
-    came: list[tuple[float, int]] = []
-    with recording(tmp_path) as recorder:
-        for count in range(25):
-            recorder.board_tap.received(b"x" * 100)
-            came.append((time.monotonic(), 131 * (count + 1)))
-            time.sleep(0.1)
-        file = recorder.file
-        assert file is not None
-        head = file.read_bytes().index(b"x" * 100) - 31
-        eventually(lambda: pushed[-1][1] >= head + came[-1][1], "all of it is on the disk")
-    worst_s = max(
-        min(on_disk_s for on_disk_s, size in pushed if size >= head + needed) - came_s for came_s, needed in came
-    )
-    assert worst_s < 1.0, f"{worst_s} s could be lost"

@@ -13,7 +13,7 @@ from epf_gcs.web.serving.visitors import Limits
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.listening import everything
 from tests.support.maps import png, write_mbtiles
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 STREAM = (
     b"GET /api/v1/stream HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
@@ -41,7 +41,7 @@ def quick(tmp_path: Path) -> Iterator[Gateway]:
 
 def line(gateway: Gateway) -> socket.socket:
     made = socket.create_connection(("127.0.0.1", gateway.server.port))
-    made.settimeout(20)
+    made.settimeout(DEADLINE_S)
     return made
 
 

@@ -21,7 +21,7 @@ from epf_gcs.web.interface.tls.routes import MEDIA_TYPE
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.programs import children_of, gateway_process
 from tests.support.tls import careless, self_signed, trusting
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +33,7 @@ def secure(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
 
 def plain(gateway: Gateway, method: str, target: str, host: str | None = None, body: bytes = b"") -> httpx.Response:
     """A request in plain text, its target as written."""
-    made = http.client.HTTPConnection("127.0.0.1", gateway.server.port, timeout=20)
+    made = http.client.HTTPConnection("127.0.0.1", gateway.server.port, timeout=DEADLINE_S)
     with closing(made):
         made.putrequest(method, target, skip_host=True)
         if host != "":
@@ -62,7 +62,7 @@ def test_whatever_is_asked_nothing_is_done_in_plain_text(secure: Gateway, method
 
 
 def test_a_websocket_in_plain_text_is_sent_on_too(secure: Gateway) -> None:
-    with closing(socket.create_connection(("127.0.0.1", secure.server.port), timeout=20)) as made:
+    with closing(socket.create_connection(("127.0.0.1", secure.server.port), timeout=DEADLINE_S)) as made:
         made.sendall(
             b"GET /api/v1/stream HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
             b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n"
@@ -110,7 +110,7 @@ def test_a_phone_that_trusts_the_authority_opens_it_by_name_and_number(secure: G
     phone = ssl.create_default_context(cadata=der)
     host = f"[{name}]" if ":" in name else name.encode("idna").decode()
     with (
-        closing(socket.create_connection(("127.0.0.1", secure.server.port), timeout=20)) as made,
+        closing(socket.create_connection(("127.0.0.1", secure.server.port), timeout=DEADLINE_S)) as made,
         phone.wrap_socket(made, server_hostname=name) as encrypted,
     ):
         encrypted.sendall(f"GET /api/v1/status HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n".encode())
@@ -121,7 +121,7 @@ def test_a_phone_that_trusts_the_authority_opens_it_by_name_and_number(secure: G
 def test_another_name_is_refused_by_the_phone_and_by_the_station(secure: Gateway) -> None:
     phone = ssl.create_default_context(cadata=secure.http.get("/access/authority").content)
     for context in (phone, careless()):
-        made = socket.create_connection(("127.0.0.1", secure.server.port), timeout=20)
+        made = socket.create_connection(("127.0.0.1", secure.server.port), timeout=DEADLINE_S)
         with closing(made):
             try:
                 encrypted = context.wrap_socket(made, server_hostname="evil.example")
@@ -138,7 +138,7 @@ def test_the_interface_tells_what_a_browser_is_shown(secure: Gateway) -> None:
     told = secure.http.get("/access/certificates").json()
     shown = ssl.create_default_context(cadata=secure.http.get("/access/authority").content)
     with (
-        closing(socket.create_connection(("127.0.0.1", secure.server.port), timeout=20)) as made,
+        closing(socket.create_connection(("127.0.0.1", secure.server.port), timeout=DEADLINE_S)) as made,
         shown.wrap_socket(made, server_hostname="127.0.0.1") as encrypted,
     ):
         certificate = x509.load_der_x509_certificate(encrypted.getpeercert(binary_form=True) or b"")
@@ -198,7 +198,7 @@ def test_connections_that_never_finish_their_handshake_hurt_nobody(secure: Gatew
     try:
         with secure.stream() as stream:
             for number in range(500):
-                half = socket.create_connection(("127.0.0.1", secure.server.port), timeout=20)
+                half = socket.create_connection(("127.0.0.1", secure.server.port), timeout=DEADLINE_S)
                 half.sendall(hello if number % 2 else b"")
                 halves.append(half)
             stream.send({"type": "rate", "rate": 30})
@@ -223,13 +223,13 @@ def test_a_browser_waits_while_the_web_process_starts_again_and_finds_the_same_c
                     return pid
             return None
 
-        with httpx.Client(base_url=f"{url}/api/v1", verify=trust, timeout=20) as browser:
+        with httpx.Client(base_url=f"{url}/api/v1", verify=trust, timeout=DEADLINE_S) as browser:
             before = browser.get("/access/certificates").json()["certificate"]
             first = web()
             assert first is not None
             os.kill(first, signal.SIGKILL)
             eventually(lambda: web() not in (None, first), "another web process starts")
-        with httpx.Client(base_url=f"{url}/api/v1", verify=trust, timeout=20) as browser:
+        with httpx.Client(base_url=f"{url}/api/v1", verify=trust, timeout=DEADLINE_S) as browser:
             assert browser.get("/access/certificates").json()["certificate"] == before
 
 

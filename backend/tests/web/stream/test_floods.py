@@ -17,6 +17,7 @@ from websockets.sync.client import connect
 from epf_gcs.access.allowance import Allowance
 from epf_gcs.web.stream.socket import BYTES_PER_TURN, PINGS_PER_S
 from tests.support.gateway import Gateway
+from tests.support.waiting import DEADLINE_S
 
 KEY = "dGhlIHNhbXBsZSBub25jZQ=="
 PING = b"\x89\x80\x00\x00\x00\x00"
@@ -33,7 +34,7 @@ def test_an_allowance_grows_back_with_time_and_no_further_than_full() -> None:
 def raw_stream(gateway: Gateway) -> socket.socket:
     """A WebSocket whose frames the test makes itself."""
     made = socket.create_connection(("127.0.0.1", gateway.server.port))
-    made.settimeout(20)
+    made.settimeout(DEADLINE_S)
     head = f"GET /api/v1/stream HTTP/1.1\r\nHost: 127.0.0.1\r\nSec-WebSocket-Key: {KEY}\r\n"
     made.sendall(f"{head}Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\r\n".encode())
     assert made.recv(12).startswith(b"HTTP/1.1 101")
@@ -127,7 +128,7 @@ def test_a_browser_that_pings_now_and_then_is_answered(gateway: Gateway) -> None
 @pytest.mark.parametrize("rate", ["9" * 5000, "0" * 5000])
 def test_a_rate_of_thousands_of_digits_is_refused(gateway: Gateway, rate: str) -> None:
     with closing(socket.create_connection(("127.0.0.1", gateway.server.port))) as made:
-        made.settimeout(20)
+        made.settimeout(DEADLINE_S)
         head = f"GET /api/v1/stream?rate={rate} HTTP/1.1\r\nHost: 127.0.0.1\r\nSec-WebSocket-Key: {KEY}\r\n"
         made.sendall(f"{head}Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\r\n".encode())
         assert made.recv(12) == b"HTTP/1.1 400"

@@ -104,7 +104,7 @@ describe("tones", () => {
     const changed = vi.fn();
     sounder.onState(changed);
     window.press();
-    await vi.waitFor(() => expect(changed).toHaveBeenCalled());
+    await expect.poll(() => changed).toHaveBeenCalled();
     expect(sounder.state()).toBe("ready");
     expect(FakeContext.made).toHaveLength(1);
   });
@@ -112,7 +112,7 @@ describe("tones", () => {
   test("are different for a warning and an alarm, and the newer one ends the older", async () => {
     const sounder = browserSounder(window.asBrowser);
     window.press();
-    await vi.waitFor(() => expect(sounder.state()).toBe("ready"));
+    await expect.poll(() => sounder.state()).toBe("ready");
     const [context] = FakeContext.made;
     sounder.play("warning", 0.5);
     expect(context?.tones.map(({ frequency_hz }) => frequency_hz)).toEqual([660, 880]);

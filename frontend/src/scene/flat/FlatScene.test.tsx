@@ -285,7 +285,7 @@ describe("the names of the ground", () => {
     draw();
     const asked = questions.find(({ kind }) => kind === "things");
     expect(asked).toMatchObject({ centre: GANDO });
-    await vi.waitFor(() => expect(frames.waiting).toBe(1));
+    await expect.poll(() => frames.waiting).toBe(1);
     draw();
     send("pointermove", 400, 300);
     expect(canvas.style.cursor).toBe("pointer");
@@ -300,7 +300,7 @@ describe("the names of the ground", () => {
   test("give way to measuring: a press is then a place, also on an airfield", async () => {
     const { scene, draw, send, heard } = open({ width: 800, height: 600 }, [airfield("GCLP", GANDO)]);
     draw();
-    await vi.waitFor(() => expect(frames.waiting).toBe(1));
+    await expect.poll(() => frames.waiting).toBe(1);
     draw();
     const measured: GroundPlace[] = [];
     scene.measure((place) => measured.push(place));

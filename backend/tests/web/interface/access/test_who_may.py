@@ -16,6 +16,7 @@ from epf_gcs.access.roles import OPEN, Role
 from epf_gcs.web.serving.access_table import ROUTES, Entry
 from tests.support.callers import person, program, stranger, strict_gateway
 from tests.support.gateway import Gateway
+from tests.support.waiting import DEADLINE_S
 
 REFUSED = {"not_admitted", "role_too_low", "access_too_many_tries"}
 # What the parts of a path could be; a wrong value is answered with 404 or 422 only after the caller was let in.
@@ -145,7 +146,7 @@ def open_stream(station: Gateway, client: Client, query: str) -> str:
         headers["Cookie"] = "; ".join(f"{name}={value}" for name, value in client.cookies.items())
     address = f"ws://127.0.0.1:{station.server.port}/api/v1/stream{query}"
     with connect(address, additional_headers=headers) as connection:
-        return str(connection.recv(timeout=10))
+        return str(connection.recv(timeout=DEADLINE_S))
 
 
 def test_a_stranger_hears_of_the_health_only_whether_the_processes_answer(station: Gateway, owner: Client) -> None:
