@@ -8,10 +8,11 @@ import time
 from pathlib import Path
 from typing import Final
 
-from board_tests.line.station import DEADLINE_S, VERSION, Station
+from board_tests.line.station import VERSION, Station
 from epf_gcs.launcher.emulated import QEMU, EmulatedBoard
 from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port
 from tests.support.firmware import FIRMWARE
+from tests.support.waiting import DEADLINE_S
 
 ASK_AGAIN_S: Final = 1.0
 

@@ -11,9 +11,10 @@ from pathlib import Path
 import pytest
 
 from board_tests.line.conftest import Boards
-from board_tests.line.station import DEADLINE_S, LEVEL_FLIGHT, VERSION, Station
+from board_tests.line.station import LEVEL_FLIGHT, VERSION, Station
 from epf_gcs.codec.encode import encode_command
 from tests.support.firmware import FIRMWARE
+from tests.support.waiting import DEADLINE_S
 
 Keep = Callable[[Station], Station]
 READ_ALL_BYTES = 16 * 10 + 12 + 12 + 36 + 40 + 48 + 16 + 20 + 20 + 4 + 32

@@ -7,7 +7,6 @@ the priority itself do without.
 from __future__ import annotations
 
 import os
-from typing import Any
 
 _true_setpriority = os.setpriority
 
@@ -17,10 +16,10 @@ def keep_niceness(_increment: int) -> int:
     return os.getpriority(os.PRIO_PROCESS, 0)
 
 
-def only_raise(which: int, who: int, niceness: int) -> Any:
+def only_raise(which: int, who: int, priority: int) -> None:
     """As `os.setpriority`, for what does not lower it."""
-    if niceness <= os.getpriority(which, who):
-        _true_setpriority(which, who, niceness)
+    if priority <= os.getpriority(which, who):
+        _true_setpriority(which, who, priority)
 
 
 os.nice = keep_niceness
