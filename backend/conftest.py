@@ -20,8 +20,10 @@ from tests.support.firmware import lacking_for_images, make
 from tests.support.gateway import Gateway, running_gateway
 
 # For the programs that tests start; this one has loaded it.
-PYTHONPATH = os.environ.get("PYTHONPATH", "")
-os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, (str(Path(equal_priority.__file__).parent), PYTHONPATH)))
+EQUAL_PRIORITY = str(Path(equal_priority.__file__).parent)
+# A worker of the run inherits the path from its parent, which has done the same.
+FOLDERS = [one for one in os.environ.get("PYTHONPATH", "").split(os.pathsep) if one not in ("", EQUAL_PRIORITY)]
+os.environ["PYTHONPATH"] = os.pathsep.join((EQUAL_PRIORITY, *FOLDERS))
 
 # A busy machine is slow: how long an example takes says nothing about whether it is right.
 settings.register_profile("gateway", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -68,7 +70,7 @@ def built_images() -> None:
 @pytest.fixture
 def true_priority(monkeypatch: pytest.MonkeyPatch) -> None:
     """Programs that the test starts lower their priority as they do for a user."""
-    monkeypatch.setenv("PYTHONPATH", PYTHONPATH)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(FOLDERS))
 
 
 @pytest.fixture

@@ -80,7 +80,7 @@ def commands_do_what_they_do_on_any_board(legacy: Station) -> None:
     """A switch, a gain and a HIL frame."""
     legacy.command("control_source", 1)
     legacy.command("autopilot_on")
-    assert legacy.heartbeat()["autopilot_hil"] == 3
+    legacy.wait(lambda: legacy.heartbeat()["autopilot_hil"] == 3)
     legacy.command("set_k_pitch", 2.5)
     legacy.command("load_autopilot_parameters")
     values = legacy.next("autopilot_parameters").values

@@ -102,6 +102,7 @@ def test_one_that_is_killed_is_noticed_while_others_still_hold_its_output() -> N
                 return await process.wait()
             finally:
                 os.kill(other, signal.SIGKILL)
+                await process.stdout.read()  # its pipe is closed too
 
     assert on_loop(work) == -9
 

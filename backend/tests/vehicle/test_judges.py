@@ -14,12 +14,10 @@ from epf_gcs.vehicle.judges import (
     BatteryJudge,
     CpuJudge,
     DamageJudge,
-    FloodJudge,
     GpsJudge,
     Lasting,
     Line,
     Loop,
-    StrangersJudge,
     judge_card,
     judge_heartbeat,
     judge_hil,
@@ -27,6 +25,7 @@ from epf_gcs.vehicle.judges import (
     judge_recording,
     judge_stick,
 )
+from epf_gcs.vehicle.traffic_judges import FloodJudge, StrangersJudge
 from epf_gcs.vehicle.unusable_value import UnusableValue
 
 VALID = {"fix": 3, "valid": True}

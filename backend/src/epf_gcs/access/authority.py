@@ -62,9 +62,7 @@ class Authority:
 
     def given_s(self, client: str) -> float | None:
         """When this page's request is granted by time alone unless the holder acts before; None: never."""
-        if not self._by_silence:
-            return None
-        return max(self.requests[client], self.since_s, self._did_s) + UNANSWERED_S
+        return max(self.requests[client], self.since_s, self._did_s) + UNANSWERED_S if self._by_silence else None
 
     def restore(self, page: Page, now_s: float) -> list[Effect]:
         """Before a restart this page had control: keep it for its return."""
@@ -79,13 +77,11 @@ class Authority:
         self.pages[page.client] = page
         last = self.last
         if self.holder is None and page.may_command:
-            if last is not None and (last.client, last.session) == (page.client, page.session):
+            is_kept = self.kept_until_s is not None
+            if last is not None and last.session == page.session and (last.client == page.client or not is_kept):
                 self._give(page, "back", now_s)
-            elif self.kept_until_s is None:
-                if last is not None and last.session == page.session:
-                    self._give(page, "back", now_s)
-                elif page.is_local or not others:
-                    self._give(page, "first", now_s)
+            elif not is_kept and (page.is_local or not others):
+                self._give(page, "first", now_s)
         return self._done()
 
     def disconnect(self, client: str, now_s: float) -> list[Effect]:
@@ -185,7 +181,7 @@ class Authority:
         if self.holder is None:
             self._give(page, "asked", now_s)
         elif self.holder is not page and client not in self.requests:
-            wait_s = self._refused_s.get(_who(page), now_s - REFUSED_S) + REFUSED_S - now_s
+            wait_s = self._refused_s.get(page.refused_as, now_s - REFUSED_S) + REFUSED_S - now_s
             if wait_s > 0.0:
                 raise refusals.refused(self.holder, wait_s)
             self.requests[client] = now_s
@@ -210,7 +206,7 @@ class Authority:
         """The holder keeps control; who asked may ask again in a while."""
         self._check_holds(client)
         page = self._request_of(to)
-        self._refused_s[_who(page)] = self._did_s = now_s
+        self._refused_s[page.refused_as] = self._did_s = now_s
         self._close(page, "refused")
         return self._done()
 
@@ -352,8 +348,3 @@ class Authority:
     def _done(self) -> list[Effect]:
         effects, self._effects = self._effects, []
         return effects
-
-
-def _who(page: Page) -> str:
-    """Who is meant by a refusal: a person on all pages of a session; at this computer each page, for all share one."""
-    return page.client if page.is_local else page.session

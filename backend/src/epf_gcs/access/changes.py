@@ -46,6 +46,11 @@ class Page:
         """Whether its role allows control."""
         return self.role >= Role.operator
 
+    @property
+    def refused_as(self) -> str:
+        """Whom a refusal means: a person on all pages of a session; at this computer each page, for all share one."""
+        return self.client if self.is_local else self.session
+
 
 @dataclass(frozen=True, slots=True)
 class HolderChanged:

@@ -69,7 +69,6 @@ class Flight:
         self._board_url = board_url
         self._status_due = False
 
-        # Time, memory, and the outlet to the stations.
         self.clock = LineClock()
         self.outlet = NotedBroadcast(self.clock)
         self._client_names = ClientNames()
@@ -87,7 +86,6 @@ class Flight:
         vehicle = Vehicle(self.clock, self.outlet, self.errors, period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
-        # Requests to the board.
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
         self.journal = Journal(
             data_dir / "parameter-journal.jsonl",
@@ -137,11 +135,7 @@ class Flight:
         )
         self.rates = LineRates()
         self.ahrs_test = AhrsTestRun(
-            vehicle=vehicle,
-            clock=self.clock,
-            errors=self.errors,
-            flies=self._flies,
-            changed=self._on_ahrs_test,
+            vehicle=vehicle, clock=self.clock, errors=self.errors, flies=self._flies, changed=self._on_ahrs_test
         )
 
         noted = (self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)

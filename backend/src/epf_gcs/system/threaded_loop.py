@@ -89,6 +89,15 @@ class _Program(BaseSubprocessTransport):
         )
         threading.Thread(target=self._wait_for_end, args=(process,), name="program", daemon=True).start()
 
+    def _process_exited(self, returncode: int) -> None:
+        # Some versions of Python tell whoever waits only once its pipes are closed, which its own children may hold.
+        waiting: list[asyncio.Future[int]] = self._exit_waiters
+        self._exit_waiters = []
+        super()._process_exited(returncode)
+        for waiter in waiting:
+            if not waiter.done():
+                waiter.set_result(returncode)
+
     def _wait_for_end(self, process: subprocess.Popen[bytes]) -> None:
         loop: Any = self._loop
         loop.tell(self._process_exited, process.wait())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.support.gateway import Gateway
+from tests.support.waiting import eventually
 
 
 def test_a_fault_of_ours_is_a_problem_too_and_is_counted(gateway: Gateway, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -31,4 +32,4 @@ def test_a_part_that_fails_begins_again(gateway: Gateway, monkeypatch: pytest.Mo
     with gateway.stream() as stream:
         while len(calls) < 3:
             stream.next("status")
-    assert gateway.status()["errors"] == {"internal": 1}
+    eventually(lambda: gateway.status()["errors"] == {"internal": 1}, "it is counted")

@@ -14,16 +14,15 @@ from epf_gcs.link.read_budget import MOST_BYTES_PER_S
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import (
     Finding,
-    FloodJudge,
     Line,
     Loop,
-    StrangersJudge,
     judge_parameters,
     judge_recording,
     judge_stick,
 )
 from epf_gcs.vehicle.surroundings import ToldSurroundings
 from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.traffic_judges import FloodJudge, StrangersJudge
 from epf_gcs.vehicle.watch import VehicleWatch
 
 
