@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -229,6 +230,15 @@ def test_killed_it_goes_on_by_itself(tmp_path: Path, server: BadServer) -> None:
         (layer,) = layers(gateway).values()
         gateway.http.post(f"/map/layers/{layer['id']}/proof").raise_for_status()
     assert set(server.good.values()) == {1}
+
+
+def test_of_equal_orders_at_once_one_is_taken(gateway: Gateway, server: BadServer) -> None:
+    Hold(server, 0)
+    with ThreadPoolExecutor(8) as pool:
+        answers = list(pool.map(lambda _: order(gateway, server), range(8)))
+    assert sorted(answer.is_success for answer in answers) == [False] * 7 + [True]
+    assert {answer.json()["code"] for answer in answers if not answer.is_success} == {"map_exists"}
+    assert len(gateway.http.get("/map/fields").json()["fields"]) == 1
 
 
 def test_a_worker_does_not_outlive_its_station(tmp_path: Path, server: BadServer) -> None:

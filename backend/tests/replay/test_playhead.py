@@ -290,6 +290,19 @@ def test_key_frames_of_another_recording_or_a_torn_file_are_not_used(recording: 
     assert again.before(STARTS_NS + 24 * SECOND_NS) is not None
 
 
+def test_key_frames_of_other_code_are_not_used(
+    recording: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    timeline = Timeline(recording)
+    file = tmp_path / "a.keys"
+    keyed(timeline, file).close()
+    mine = Keys(file, "a", timeline.starts_ns or 0)
+    assert mine.latest_ns is not None
+    mine.close()
+    monkeypatch.setattr("epf_gcs.replay.keys.code_stamp", lambda: "of another checkout")
+    assert Keys(file, "a", timeline.starts_ns or 0).latest_ns is None
+
+
 def test_two_replays_share_key_frames_and_one_of_them_writes(recording: Path, tmp_path: Path) -> None:
     timeline = Timeline(recording)
     first = Keys(tmp_path / "a.keys", "a", timeline.starts_ns or 0)

@@ -79,8 +79,9 @@ class Fields:
         await self.estimate(order)
         job = FieldJob(secrets.token_hex(6), Path(), order)
         job.folder = self._folder / job.id
-        taken = any(one.file_name == name and one.state != "done" for one in self._all.values())
-        if taken or await self._maps.in_thread((self._maps.folder.path / name).exists):
+        is_there = await self._maps.in_thread((self._maps.folder.path / name).exists)
+        # Nothing is waited for from here until the job is in the list: an equal order cannot come between.
+        if is_there or any(one.file_name == name and one.state != "done" for one in self._all.values()):
             raise exists(name)
         if sum(one.state != "done" for one in self._all.values()) >= _MOST_KEPT:
             raise ConflictError(

@@ -1,7 +1,7 @@
 """Key frames of one recording: the vehicle's state every two seconds of flight, in a file that all replays of it share.
 
 One replay (whoever holds the lock) writes them, in the background and once; the others read what is there. The file
-is made from the recording and can be deleted at any time. It is read only if it is of this recording and this version.
+is made from the recording and can be deleted at any time. It is read only if it is of this recording and of this code.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ import json
 import os
 import zlib
 from bisect import bisect_right
+from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path
 from struct import Struct
 from typing import Any, Final
@@ -24,13 +26,24 @@ _FORMAT: Final = 4
 # Time of the key frame in Unix ns, and bytes of its packed state.
 _HEAD: Final = Struct("<qI")
 _LONGEST: Final = 4_000_000
+_ROOMS: Final = ("codec", "replay", "vehicle", "xplane")
+
+
+@lru_cache(maxsize=1)
+def code_stamp() -> str:
+    """Of the code whose state the key frames hold: two checkouts of one version may make other states."""
+    digest = sha256()
+    for room in _ROOMS:
+        for file in sorted((Path(__file__).parents[1] / room).glob("*.py")):
+            digest.update(file.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 class Keys:
     """`file` None: they are kept in memory alone. Errors of the disk end sharing, never a replay."""
 
     def __init__(self, file: Path | None, recording: str, starts_ns: int) -> None:
-        self._title = json.dumps([_FORMAT, __version__, recording, starts_ns]).encode() + b"\n"
+        self._title = json.dumps([_FORMAT, __version__, code_stamp(), recording, starts_ns]).encode() + b"\n"
         self._times: list[int] = []
         self._places: list[tuple[int, int]] = []
         self._packed: list[bytes | None] = []

@@ -79,7 +79,8 @@ export class FlatScene {
   readonly #ground: FlatGround;
   readonly #names: NamedThings;
   readonly #sheet = new LabelSheet();
-  readonly #tracks = new Map<TrackPoints, FlatTrack>();
+  /** A track that nobody shows any more goes with its points. */
+  readonly #tracks = new WeakMap<TrackPoints, FlatTrack>();
   readonly #sizes: ResizeObserver;
   #view: FlatView = { centre: START, zoom: START_ZOOM, width_px: 0, height_px: 0 };
   #contents: FlatContents = {
