@@ -30,7 +30,7 @@ _NAMES: Final = frozenset({"Makefile", "Dockerfile"})
 # Versions of something else, and what tests make up.
 _NOT_OURS: Final = re.compile(
     r"(^|/)(third_party|tests?|board_tests|definition|vectors|public)/|\.test\.tsx?$|package-lock\.json$"
-    r"|^backend/src/epf_gcs/(formats/|web/maps/routes\.py$)"  # of other programs' file formats
+    r"|^backend/src/epf_gcs/(formats/|web/interface/maps/routes\.py$)"  # of other programs' file formats
 )
 _RELEASE: Final = re.compile(r"^## (\d+\.\d+\.\d+)\b", re.MULTILINE)
 

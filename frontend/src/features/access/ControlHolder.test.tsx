@@ -73,6 +73,16 @@ test("an owner's question is answered before anything is sent", async () => {
   expect(newest(station).body).toEqual({ client: "c1", action: "take", confirm: true });
 });
 
+test("an owner's question stays while the holder is lost and comes back", async () => {
+  const station = await admitted("owner", heldBy("c2", "Luis"));
+  await user.click(screen.getByRole("button", { name: "Tomarlo ya" }));
+  const confirm = within(screen.getByRole("alertdialog")).getByRole("button", { name: "Tomar el control" });
+  station.status(aStatus({ control: heldBy(null, null) }));
+  station.status(aStatus({ control: heldBy("c2", "Luis") }));
+  await user.click(confirm);
+  expect(newest(station).body).toEqual({ client: "c1", action: "take", confirm: true });
+});
+
 test("a request is a band on the holder's page that takes no focus, with both answers", async () => {
   const station = await admitted("operator");
   const focused = document.activeElement;

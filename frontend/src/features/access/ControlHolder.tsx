@@ -17,6 +17,21 @@ interface Props {
 
 /** Who may command, and what this page can do about it: take control while it is free, ask for it, give it back. */
 export function ControlHolder({ blocked }: Props) {
+  const [takenFrom, setTakenFrom] = useState<string | null>(null);
+  return (
+    <>
+      <Holder blocked={blocked} onTake={setTakenFrom} />
+      {takenFrom !== null && <TakeQuestion holder={takenFrom} onAnswer={() => setTakenFrom(null)} />}
+    </>
+  );
+}
+
+interface HolderProps extends Props {
+  /** An owner wants control from whoever has it, and has to confirm that. */
+  readonly onTake: (holder: string) => void;
+}
+
+function Holder({ blocked, onTake }: HolderProps) {
   const { t } = useTranslation();
   const isOpen = useConnection(({ phase, status }) => phase === "open" && status !== null);
   const isMine = useConnection(({ status, client }) => client !== null && status?.control.client === client);
@@ -46,7 +61,7 @@ export function ControlHolder({ blocked }: Props) {
       ) : (
         <>
           <Asking blocked={why} />
-          <TakeAtOnce holder={holder} blocked={why} />
+          <TakeAtOnce onPress={() => onTake(holder)} blocked={why} />
         </>
       )}
     </div>
@@ -81,40 +96,37 @@ function Asking({ blocked }: Props) {
 }
 
 /** An owner need not wait for the holder, and is asked whether that is meant. */
-function TakeAtOnce({ holder, blocked }: Props & { readonly holder: string }) {
+function TakeAtOnce({ onPress, blocked }: Props & { readonly onPress: () => void }) {
   const { t } = useTranslation();
-  const actions = usePart(ACTIONS);
   const isOwner = useAdmission(({ role }) => role === "owner");
-  const [isConfirming, setConfirming] = useState(false);
   const { state, stateText } = useAsked("control.take");
   if (!isOwner) {
     return null;
   }
   return (
-    <>
-      <Button
-        onPress={() => setConfirming(true)}
-        state={state}
-        stateText={stateText}
-        disabledReason={blocked}
-      >
-        {t("control.takeAtOnce")}
-      </Button>
-      {isConfirming && (
-        <ConfirmDialog
-          title={t("control.takeTitle")}
-          text={t("control.takeText", { name: holder })}
-          confirmLabel={t("control.takeConfirm")}
-          cancelLabel={t("control.takeCancel")}
-          danger
-          onConfirm={() => {
-            setConfirming(false);
-            void actions.changeControl({ action: "take", confirm: true }, { control: "control.take" });
-          }}
-          onCancel={() => setConfirming(false)}
-        />
-      )}
-    </>
+    <Button onPress={onPress} state={state} stateText={stateText} disabledReason={blocked}>
+      {t("control.takeAtOnce")}
+    </Button>
+  );
+}
+
+/** Stays until it is answered: a holder who is lost and comes back meanwhile must not take it from under a finger. */
+function TakeQuestion({ holder, onAnswer }: { readonly holder: string; readonly onAnswer: () => void }) {
+  const { t } = useTranslation();
+  const actions = usePart(ACTIONS);
+  return (
+    <ConfirmDialog
+      title={t("control.takeTitle")}
+      text={t("control.takeText", { name: holder })}
+      confirmLabel={t("control.takeConfirm")}
+      cancelLabel={t("control.takeCancel")}
+      danger
+      onConfirm={() => {
+        onAnswer();
+        void actions.changeControl({ action: "take", confirm: true }, { control: "control.take" });
+      }}
+      onCancel={onAnswer}
+    />
   );
 }
 
