@@ -18,6 +18,8 @@ WEB: Final = ".web.lock"
 """The web process's own: it writes other files of the folder than the flight process."""
 STATION: Final = ".station.lock"
 """The launcher's, for as long as it runs: of two that start at once, one waits for no part of the other."""
+LOCK_FILES: Final = frozenset({_FILE, WEB, STATION})
+"""All of them: of a run alone, in no backup, and no sign of a station's work."""
 FORMAT_FILE: Final = "format.json"
 """A folder with it is a station's. Any other that somebody names is left to its rights."""
 # A process that is ending may hold the lock for this long.

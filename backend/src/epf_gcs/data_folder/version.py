@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs import __version__
-from epf_gcs.data_folder.lock import FORMAT_FILE
+from epf_gcs.data_folder.lock import FORMAT_FILE, LOCK_FILES
 from epf_gcs.disk import replace_file, set_aside
 
 FORMAT: Final = 2
@@ -20,7 +20,7 @@ FORMAT: Final = 2
 FILE: Final = FORMAT_FILE
 _UNNUMBERED: Final = 1
 _LONGEST: Final = 10_000
-_OF_THE_LAUNCHER: Final = frozenset({".lock", ".web.lock", ".station.lock", "run.lock", "logs", "card", "board.pty"})
+_OF_THE_LAUNCHER: Final = LOCK_FILES | {"run.lock", "logs", "card", "board.pty"}
 
 Say = Callable[[str], None]
 """Told one sentence for the person who starts the station."""

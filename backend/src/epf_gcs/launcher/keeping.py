@@ -21,6 +21,7 @@ from typing import Any, BinaryIO, Final
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.data_folder.lock import LOCK_FILES
 from epf_gcs.data_folder.upgrade import is_interrupted
 from epf_gcs.data_folder.version import FORMAT, read_format
 from epf_gcs.data_folder.whereabouts import FILE as WHEREABOUTS
@@ -29,20 +30,7 @@ from epf_gcs.launcher.errors import LaunchError
 
 LIST: Final = "epf-gcs-backup.json"
 # Made again from the recordings, or of this run alone.
-_LEFT_OUT: Final = frozenset(
-    {
-        "columns",
-        "exports",
-        "logs",
-        "library.sqlite",
-        ".lock",
-        ".web.lock",
-        ".station.lock",
-        "run.lock",
-        "board.pty",
-        WHEREABOUTS,
-    }
-)
+_LEFT_OUT: Final = LOCK_FILES | {"columns", "exports", "logs", "library.sqlite", "run.lock", "board.pty", WHEREABOUTS}
 _DATABASE_MARKS: Final = ("-journal", "-wal", "-shm")
 _BLOCK_BYTES: Final = 1 << 20
 _MOST_LIST_BYTES: Final = 50_000_000
