@@ -1,6 +1,7 @@
 import { type KeyboardEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { parseNumber, twoReadings } from "../../ui/number";
+import { useWords } from "../../ui/words";
 
 interface Props {
   label: string;
@@ -36,6 +37,7 @@ export function PlanCell({
   onFocus,
 }: Props) {
   const { t } = useTranslation();
+  const words = useWords();
   const [draft, setDraft] = useState<string | null>(null);
   const typed = draft === null ? null : parseNumber(draft);
   const readings = draft === null || draft === text ? null : twoReadings(draft, -largest, largest);
@@ -65,7 +67,8 @@ export function PlanCell({
     }
   }
 
-  const question = readings === null ? t("plans.notANumber") : t("plans.whichNumber", { ...readings });
+  const question =
+    readings === null ? t("plans.notANumber") : words.whichNumber(readings.thousand, readings.one);
   const complaint = isNoNumber ? question : fault;
   return (
     <input
