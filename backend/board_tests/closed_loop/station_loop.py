@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from typing import Any, Final, Self
 
 from board_tests.closed_loop.closed_loop import Firmware
-from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.hil.hil import Hil
@@ -20,28 +19,12 @@ from epf_gcs.vehicle.judges import Loop
 from epf_gcs.vehicle.thresholds import chosen
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.vehicle.watch import VehicleWatch
+from tests.support.held import HeldClock
 from tests.support.outlet import KeptOutlet
 
-_START_S: Final = 1.7e9
 _HEARTBEAT_TASK: Final = 0
 _TICK_S: Final = 0.1
 _BAUD: Final = 115200
-
-
-class FrameClock(Clock):
-    """Counts the frames."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.time_s = 0.0
-
-    def now_s(self) -> float:
-        """Unix time."""
-        return _START_S + self.time_s
-
-    def steady_s(self) -> float:
-        """The same, from another beginning."""
-        return 1000.0 + self.time_s
 
 
 class _Line:
@@ -91,7 +74,7 @@ class StationLoop:
         self.simulation = Simulation(options, self.crashes.append)
         self._firmware = Firmware(1.0 / options.rate_hz)
         self._line = _Line(self._firmware)
-        self._clock = FrameClock()
+        self._clock = HeldClock(0.0)
         self._period_s = 1.0 / options.rate_hz
         self._ticked_s = 0.0
         outlet = KeptOutlet()

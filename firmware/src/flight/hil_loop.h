@@ -42,8 +42,8 @@ control_loop_input_t hil_loop_input(const hil_loop_t* hil, const measurements_t*
 /// a pilot may move it while the simulator is paused.
 bool hil_loop_repeats(const command_xplane_info_t* before, const command_xplane_info_t* info);
 
-/// Step the loop by one command 50; the new surfaces are in `hil->loop`. A repeat is answered but takes no time, so
-/// that a pause of the simulator is none of the flight; after a jump the loop begins as at the board's start. False,
+/// Step the loop by one command 50; the new surfaces are in `hil->loop`. A repeat is answered but takes no time: in
+/// a pause of the simulator nothing is integrated. After a jump the loop begins as at the board's start. False,
 /// and nothing changed but the counter, for a command with a value that is not finite or without a valid position.
 bool hil_loop_step(hil_loop_t* hil, const measurements_t* measured, const control_loop_gains_t* gains, plan_t* plan,
                    const command_xplane_info_t* info, uint32_t now_ms);
