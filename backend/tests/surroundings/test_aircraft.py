@@ -9,8 +9,9 @@ from collections.abc import Iterable
 import numpy as np
 import pytest
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.surroundings.aircraft import AircraftSurroundings, Seen, Wanted
-from epf_gcs.surroundings.motion import M_PER_DEG, Fix, Vector
+from epf_gcs.surroundings.motion import Fix, Vector
 from epf_gcs.surroundings.threats import WARN_S
 
 PLACE = (28.0, -15.5)

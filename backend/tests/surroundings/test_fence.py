@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.surroundings.fence import inside_m
-from epf_gcs.surroundings.motion import M_PER_DEG
 
 # An L: the north-east quarter is outside.
 ELL = ((0.0, 0.0), (0.0, 0.02), (0.01, 0.02), (0.01, 0.01), (0.02, 0.01), (0.02, 0.0))

@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from epf_gcs.surroundings.motion import M_PER_DEG, Fix, Motion, MotionEstimate
+from epf_gcs.earth import M_PER_DEG
+from epf_gcs.surroundings.motion import Fix, Motion, MotionEstimate
 from epf_gcs.surroundings.path import path_ahead
 
 PLACE = (28.0, -15.5)

@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 import orjson
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData
@@ -24,7 +25,6 @@ VERSION: Final = 1
 _CLOCK_OFF_S: Final = 2.0
 _FT_PER_M: Final = 1 / 0.3048
 _M_PER_NM: Final = 1852.0
-_M_PER_DEG: Final = 111_195.0
 _LONGEST_STEP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
 _LEAST_JUMP_M: Final = 100.0
@@ -114,9 +114,9 @@ def _extreme(values: Array) -> float | None:
 
 def _distance_nm(t_s: Array, latitude_deg: Array, longitude_deg: Array) -> float:
     """The way over the ground; jumps (another route was loaded, the fix was lost) are not flown."""
-    north_m = np.diff(latitude_deg) * _M_PER_DEG
+    north_m = np.diff(latitude_deg) * M_PER_DEG
     east_deg = (np.diff(longitude_deg) + 180.0) % 360.0 - 180.0
-    step_m = np.hypot(north_m, east_deg * _M_PER_DEG * np.cos(np.radians(latitude_deg[:-1])))
+    step_m = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(latitude_deg[:-1])))
     elapsed_s = np.diff(t_s)
     flown = (elapsed_s <= _LONGEST_STEP_S) & (step_m <= np.maximum(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s))
     return round(float(step_m[flown].sum()) / _M_PER_NM, 2)

@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 
 import orjson
 
+from epf_gcs.earth import RADIUS_M
 from epf_gcs.errors import ErrorCode, InvalidInputError, Params
 from epf_gcs.formats.kml import coordinates, document, kml_bytes
 from epf_gcs.formats.mission_file import FileFault
@@ -30,7 +31,6 @@ CEILING_DATA: Final = "ceiling_ft"
 
 _COMMA: Final = re.compile(r"\s*,\s*")  # "lon, lat, alt" is wrong, and common
 _CIRCLE_CORNERS: Final = 36
-_EARTH_M: Final = 6_371_008.8
 _MOST_RADIUS_M: Final = 1_000_000.0
 
 Corner = tuple[float, float]
@@ -226,8 +226,8 @@ def _around(name: str, circle: object) -> list[tuple[object, object]]:
     found: list[tuple[object, object]] = []
     for index in range(_CIRCLE_CORNERS):
         bearing = 2 * math.pi * index / _CIRCLE_CORNERS
-        north_deg = math.degrees(radius_m / _EARTH_M) * math.cos(bearing)
-        east_deg = math.degrees(radius_m / _EARTH_M) * math.sin(bearing) / math.cos(math.radians(latitude_deg))
+        north_deg = math.degrees(radius_m / RADIUS_M) * math.cos(bearing)
+        east_deg = math.degrees(radius_m / RADIUS_M) * math.sin(bearing) / math.cos(math.radians(latitude_deg))
         found.append((latitude_deg + north_deg, (longitude_deg + east_deg + 180) % 360 - 180))
     return found
 

@@ -26,7 +26,8 @@ _FORMAT: Final = 4
 # Time of the key frame in Unix ns, and bytes of its packed state.
 _HEAD: Final = Struct("<qI")
 _LONGEST: Final = 4_000_000
-_ROOMS: Final = ("codec", "replay", "vehicle", "xplane")
+# What the state is made by; the first is the package itself.
+_ROOMS: Final = ("", "codec", "replay", "vehicle", "xplane")
 
 
 @lru_cache(maxsize=1)

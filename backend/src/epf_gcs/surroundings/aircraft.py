@@ -10,8 +10,9 @@ from typing import Final, Literal
 import numpy as np
 import numpy.typing as npt
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.surroundings.fence import inside_m
-from epf_gcs.surroundings.motion import M_PER_DEG, Fix, Motion, MotionEstimate, Vector
+from epf_gcs.surroundings.motion import Fix, Motion, MotionEstimate, Vector
 from epf_gcs.surroundings.path import Path, path_ahead
 from epf_gcs.surroundings.threats import AHEAD_S, Steady, Threat, first_below, limit
 

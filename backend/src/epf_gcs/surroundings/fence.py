@@ -8,7 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from epf_gcs.surroundings.motion import M_PER_DEG, Vector
+from epf_gcs.earth import M_PER_DEG
+from epf_gcs.surroundings.motion import Vector
 
 
 def inside_m(corners_deg: Sequence[tuple[float, float]], latitude_deg: Vector, longitude_deg: Vector) -> Vector:

@@ -14,8 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-M_PER_DEG: Final = 111_195.0
-"""Metres of a degree of latitude; within 0.6 % anywhere."""
+from epf_gcs.earth import M_PER_DEG
 
 _KEPT_S: Final = 90.0
 # Fixes nearer together than this are thinned: more of them measure nothing better.

@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from epf_gcs.surroundings.motion import M_PER_DEG, Motion, Vector
+from epf_gcs.earth import M_PER_DEG
+from epf_gcs.surroundings.motion import Motion, Vector
 
 STEP_S: Final = 0.5
 _LEAST_TURN_RAD_S: Final = 1e-4

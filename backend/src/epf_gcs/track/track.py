@@ -13,6 +13,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from epf_gcs.earth import M_PER_DEG
+
 MAX_POINTS: Final = 720_000
 """Four hours of a simulator's 50 Hz. Each time the limit is reached, every second point of the older half is dropped;
 the newest 360,000 points are always complete."""
@@ -42,7 +44,6 @@ _MAX_I32: Final = 0x7FFFFFFF
 _LONGEST_GAP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
 _LEAST_JUMP_M: Final = 100.0
-_M_PER_DEG: Final = 111_195.0
 
 
 class Block(NamedTuple):
@@ -113,9 +114,9 @@ class Track:
     def restore(self, points: bytes, attitudes: bytes) -> None:
         """Load packed points of an earlier run into an empty track; the gaps show where its pieces begin."""
         found = np.frombuffer(points, POINT)
-        north_m = np.diff(found["latitude_1e7deg"].astype(np.float64)) * 1e-7 * _M_PER_DEG
+        north_m = np.diff(found["latitude_1e7deg"].astype(np.float64)) * 1e-7 * M_PER_DEG
         east_deg = (np.diff(found["longitude_1e7deg"].astype(np.float64)) * 1e-7 + 180.0) % 360.0 - 180.0
-        east_m = east_deg * _M_PER_DEG * np.cos(np.radians(found["latitude_1e7deg"][:-1] * 1e-7))
+        east_m = east_deg * M_PER_DEG * np.cos(np.radians(found["latitude_1e7deg"][:-1] * 1e-7))
         elapsed_s = np.diff(found["t_ms"].astype(np.float64)) * 1e-3
         fastest_m = np.maximum(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s)
         breaks = (elapsed_s > _LONGEST_GAP_S) | (np.hypot(north_m, east_m) > fastest_m)
@@ -204,10 +205,10 @@ def _halved(first: Block, second: Block) -> Block:
 def _is_interrupted(last: tuple[float, Position], t_s: float, position: Position) -> bool:
     elapsed_s = t_s - last[0]
     latitude_deg, longitude_deg, _ = last[1]
-    north_m = (position[0] - latitude_deg) * _M_PER_DEG
+    north_m = (position[0] - latitude_deg) * M_PER_DEG
     # The short way across the 180 degree meridian.
     east_deg = (position[1] - longitude_deg + 180.0) % 360.0 - 180.0
-    east_m = east_deg * _M_PER_DEG * math.cos(math.radians(latitude_deg))
+    east_m = east_deg * M_PER_DEG * math.cos(math.radians(latitude_deg))
     moved_m = math.hypot(north_m, east_m)
     return elapsed_s > _LONGEST_GAP_S or moved_m > max(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s)
 

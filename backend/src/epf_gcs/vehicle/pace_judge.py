@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from collections.abc import Sequence
 from statistics import median
 from typing import Any, Final
 
+from epf_gcs.earth import distance_m
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.xplane.mapping import row_meaning
 
@@ -15,7 +15,6 @@ SPEED_ROW: Final = 3
 POSITION_ROW: Final = 20
 
 _M_S_PER_KT: Final = 1852.0 / 3600.0
-_M_PER_DEG: Final = 111_195.0
 # A stretch lasts at least a second, so that the jitter of the datagrams' times is a few percent of it, and ten metres,
 # for a position far from Greenwich moves in steps of almost one.
 _SHORTEST_S: Final = 1.0
@@ -102,14 +101,14 @@ class PaceJudge:
             self._began is None
             or before is None
             or not 0.0 <= t_s - before[0] < _PAUSE_S
-            or _distance_m(before[1:3], here[1:]) > _JUMP_M
+            or distance_m(*before[1:3], *here[1:]) > _JUMP_M
         ):
             self._begin(here)
             return
         self._expected_m += 0.5 * (before[3] + speed_m_s) * (t_s - before[0])
         lasted_s = t_s - self._began[0]
         if lasted_s >= _SHORTEST_S and self._expected_m >= _LEAST_M:
-            self._decide(_distance_m(self._began[1:], here[1:]) / self._expected_m, t_s)
+            self._decide(distance_m(*self._began[1:], *here[1:]) / self._expected_m, t_s)
             self._begin(here)
         elif lasted_s >= _LONGEST_S:
             self._begin(here)
@@ -134,10 +133,3 @@ class PaceJudge:
             self._is_off = True
         elif slowest > _NORMAL[0] and fastest < _NORMAL[1]:
             self._is_off, self._said = False, 1.0
-
-
-def _distance_m(first: Sequence[float], second: Sequence[float]) -> float:
-    """On a flat earth, which is enough for a few hundred metres. Latitude and longitude in degrees."""
-    north_deg = second[0] - first[0]
-    east_deg = (second[1] - first[1] + 180.0) % 360.0 - 180.0
-    return _M_PER_DEG * math.hypot(north_deg, east_deg * math.cos(math.radians(first[0])))

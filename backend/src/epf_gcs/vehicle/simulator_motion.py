@@ -6,12 +6,13 @@ A paused simulator goes on sending its rows, all equal. They arrive, but they ar
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from operator import itemgetter
 from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.earth import distance_m
 from epf_gcs.xplane.datagram import Eight
 from epf_gcs.xplane.mapping import in_our_unit, row_meaning
 
@@ -19,7 +20,7 @@ MOTION_ROWS: Final = frozenset({3, 4, 16, 17, 20})
 """Speed, climb, rates, attitude and position: in flight each of them changes from frame to frame."""
 
 JUMPED: Final = "simulator_jumped"
-"""The event that viewers are told of a jump by, and that a recording notes."""
+"""The event that tells viewers of a jump. A recording notes it."""
 
 _SPEED_ROW: Final = 3
 _POSITION_ROW: Final = 20
@@ -33,8 +34,7 @@ _JUMP_M: Final = 500.0
 _FASTEST_RATIO: Final = 2.0
 _M_S_PER_KT: Final = 0.514444
 _M_PER_FT: Final = 0.3048
-_EARTH_RADIUS_M: Final = 6_371_008.8
-# A simulator that throws the aircraft about is told of once in this time.
+# Of jumps that follow each other at once, one is told in this time.
 _QUIET_S: Final = 1.0
 
 # A place this near is no jump, without computing how far it is: less than 500 m in each direction.
@@ -148,7 +148,8 @@ class SimulatorMotion:
             # Nearly every one, and cheaply.
             self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
             return
-        if any(name in _PLACE and value is None for name, value in _meaning(values, self._profile)):
+        meaning = row_meaning(_POSITION_ROW, values, self._profile).values
+        if any(meaning[name] is None for name in _PLACE):
             return
         self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
         if before is not None:
@@ -156,7 +157,8 @@ class SimulatorMotion:
 
     def _judge_jump(self, before: tuple[float, float, float, float], now: tuple[float, float, float, float]) -> None:
         t_s, to = now[0], Place(*now[1:])
-        way_m = _distance_m(Place(*before[1:]), to)
+        along_m = distance_m(*before[1:3], *now[1:3])
+        way_m = math.hypot(along_m, (now[3] - before[3]) * _M_PER_FT)
         flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * _M_S_PER_KT * max(0.0, t_s - before[0])
         if way_m > _JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
             self._jumped_s = t_s
@@ -164,19 +166,6 @@ class SimulatorMotion:
                 self.on_jump(Jump(t_s, way_m, to))
 
 
-def _meaning(values: Eight, profile: str) -> Iterable[tuple[str, float | None]]:
-    return row_meaning(_POSITION_ROW, values, profile).values.items()
-
-
 def _is_same(one: Eight, other: Eight) -> bool:
     """A NaN is equal to itself. In flight the first values differ already, so this ends early."""
     return all(a == b or (math.isnan(a) and math.isnan(b)) for a, b in zip(one, other, strict=True))
-
-
-def _distance_m(one: Place, other: Place) -> float:
-    """By the great circle and by height."""
-    phi, other_phi = math.radians(one.latitude_deg), math.radians(other.latitude_deg)
-    half_turn = math.radians(other.longitude_deg - one.longitude_deg) / 2.0
-    haversine = math.sin((other_phi - phi) / 2.0) ** 2 + math.cos(phi) * math.cos(other_phi) * math.sin(half_turn) ** 2
-    along_m = 2.0 * _EARTH_RADIUS_M * math.asin(math.sqrt(min(1.0, haversine)))
-    return math.hypot(along_m, (other.altitude_ft - one.altitude_ft) * _M_PER_FT)

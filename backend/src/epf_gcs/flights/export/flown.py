@@ -17,6 +17,7 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.export.spread import Rows, Times, spread
 from epf_gcs.flights.export.stretch import ROWS, Stretch, times_of
 from epf_gcs.formats.samples import Samples
@@ -24,7 +25,6 @@ from epf_gcs.formats.samples import Samples
 Source = Literal["flight", "hil"]
 
 _M_PER_FT: Final = 0.3048
-_M_PER_DEG: Final = 111_195.0
 # As for the track that is drawn live: see `track/track.py`.
 _LONGEST_GAP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
@@ -153,9 +153,9 @@ def _moved(rows: Rows) -> npt.NDArray[np.bool_]:
 
 
 def _steps_m(rows: Rows) -> npt.NDArray[np.float64]:
-    north_m = np.diff(rows[:, _LATITUDE]) * _M_PER_DEG
+    north_m = np.diff(rows[:, _LATITUDE]) * M_PER_DEG
     east_deg = (np.diff(rows[:, _LONGITUDE]) + 180.0) % 360.0 - 180.0
-    found: npt.NDArray[np.float64] = np.hypot(north_m, east_deg * _M_PER_DEG * np.cos(np.radians(rows[:-1, _LATITUDE])))
+    found: npt.NDArray[np.float64] = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(rows[:-1, _LATITUDE])))
     return found
 
 

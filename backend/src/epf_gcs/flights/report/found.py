@@ -6,6 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.manoeuvres import Leg, Loop, Series, Step, answer_of, find_legs, find_steps, wrapped
 from epf_gcs.flights.report.response import respond
@@ -16,7 +17,6 @@ UNITS: Final = {"altitude": "ft", "heading": "deg", "speed": "kt"}
 _MOST: Final = 200
 _TRACE: Final = 160
 _BEFORE_S: Final = 3.0
-_M_PER_DEG: Final = 111_195.0
 # The bearing is of no use beside the waypoint.
 _NEAR_M: Final = 60.0
 
@@ -151,8 +151,8 @@ def _across_m(leg: Leg, place: Place, signals: PlanSignals) -> Series | None:
     if not np.isfinite(towards) or not np.isfinite(away_m) or away_m < _NEAR_M:
         return None
     latitude, longitude = place.latitude_deg[first:last], place.longitude_deg[first:last]
-    north_m = (latitude - latitude[0]) * _M_PER_DEG
-    east_m = (longitude - longitude[0]) * _M_PER_DEG * np.cos(np.radians(latitude[0]))
+    north_m = (latitude - latitude[0]) * M_PER_DEG
+    east_m = (longitude - longitude[0]) * M_PER_DEG * np.cos(np.radians(latitude[0]))
     course = np.radians(towards)
     return Series(place.t_s[first:last], east_m * np.cos(course) - north_m * np.sin(course))
 
@@ -162,8 +162,8 @@ def _flown_m(place: Place, from_s: float, to_s: float) -> float | None:
     if last - first < 2:
         return None
     latitude, longitude = place.latitude_deg[first:last], place.longitude_deg[first:last]
-    east_m = np.diff(longitude) * _M_PER_DEG * np.cos(np.radians(latitude[:-1]))
-    return float(np.hypot(np.diff(latitude) * _M_PER_DEG, east_m).sum())
+    east_m = np.diff(longitude) * M_PER_DEG * np.cos(np.radians(latitude[:-1]))
+    return float(np.hypot(np.diff(latitude) * M_PER_DEG, east_m).sum())
 
 
 def _across_trace(across: Series, at_s: float) -> Found:
