@@ -157,7 +157,7 @@ CORE := */codec/*,*/xplane/*,*/vehicle/*,*/bus/*,*/flight/board/*,*/flight/hil/*
 CHECKS := check-generated check-gateway check-types check-firmware check-page check-journeys
 
 check: setup ## format, lint, types, import rules, generated files up to date
-	@$(MAKE) --no-print-directory $(JOBS) --output-sync=target $(CHECKS)
+	@$(MAKE) --no-print-directory -j 2 --output-sync=target $(CHECKS)
 
 .PHONY: $(CHECKS)
 
@@ -192,28 +192,17 @@ check-platforms: $(DONE)/venv-dev ## types as macOS and Windows see them (half a
 	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform darwin --cache-dir .mypy_cache/darwin src
 	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform win32 --cache-dir .mypy_cache/win32 src
 
-# All that `make test` does. Journeys and lines of boards wait for their clocks for half of their time, in which another
-# part calculates: the journeys run beside the other parts, which come one after the other.
+# All that `make test` does, one after the other whatever -j says: each uses all of the machine.
 PARTS := check build test-firmware test-frontend test-tools test-protocol test-backend e2e
 MADE := $(firstword $(MAKEFILE_LIST))
 
 test: fresh-results setup ## everything, from nothing; what failed or could not run on this machine is told at the end, which is red then
-	@$(MAKE) --no-print-directory -f $(MADE) -j 3 --output-sync=target $(PARTS:%=part-%)
+	@$(MAKE) --no-print-directory -f $(MADE) -j 1 $(PARTS:%=part-%)
 	@python3 .ci/summary.py $(RESULTS)
 
 .PHONY: $(PARTS) $(PARTS:%=part-%)
 $(PARTS:%=part-%): part-%:
 	@python3 .ci/timed.py $(RESULTS) $* $(MAKE) --no-print-directory -k -f $(MADE) $*
-
-part-check part-e2e: | part-build
-part-test-firmware: | part-check
-part-test-frontend: | part-test-firmware
-part-test-tools: | part-test-frontend
-part-test-protocol: | part-test-tools
-part-test-backend: | part-test-protocol
-
-# Within a part that has the machine for itself two things at a time; within `make test` as many as it says.
-JOBS = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j 2)
 
 build: frontend/dist/index.html board
 
@@ -235,10 +224,10 @@ FIRMWARE_TESTS := test-firmware-gcc test-firmware-clang test-firmware-images
 test-firmware: $(FIRMWARE_TESTS)
 
 test-firmware-gcc: $(DONE)/venv-dev
-	$(FIRMWARE) -k $(JOBS) test coverage analyse-tidy analyse-misra
+	$(FIRMWARE) -k -j 2 test coverage analyse-tidy analyse-misra
 
 test-firmware-clang: $(DONE)/venv-dev $(DONE)/clang
-	@$(PART) firmware clang $(FIRMWARE) -k $(JOBS) fuzz-test analyse-clang
+	@$(PART) firmware clang $(FIRMWARE) -k -j 2 fuzz-test analyse-clang
 
 test-firmware-images: $(DONE)/arm
 	@$(PART) firmware arm $(MAKE) --no-print-directory -C firmware images size
