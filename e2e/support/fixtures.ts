@@ -62,7 +62,7 @@ export const test = base.extend<Fixtures>({
       if (away && isOfGatewayAway(message)) return;
       if (refused && /the server responded with a status of 4\d\d/.test(message.text())) return;
       if (READ_BACK.test(message.text())) return;
-      complaints.push(`${message.type()}: ${message.text()}`);
+      complaints.push(`${message.type()}: ${message.text()} (${message.location().url})`);
     });
     context.on("weberror", (error) => complaints.push(`${error.error()}`));
     const watch = (asked: { url(): string }): void => {

@@ -1,5 +1,5 @@
 import { cleanup } from "@testing-library/react";
-import { afterEach } from "vitest";
+import { afterAll, afterEach, vi } from "vitest";
 import "./effects";
 
 // A worker's files share one document: none begins with what another has left in it.
@@ -11,3 +11,6 @@ localStorage.clear();
 sessionStorage.clear();
 
 afterEach(cleanup);
+
+// A part that is still being loaded when its file ends would fail the file that comes after it.
+afterAll(() => vi.dynamicImportSettled());
