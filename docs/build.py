@@ -25,7 +25,7 @@ LANGUAGES: Final = ("es", "en")
 NAMES: Final = {"es": "Español", "en": "English"}
 # Which file of the tree is which page. Other files that they name are told by their path.
 PAGES: Final = {
-    "README.md": "install.md",
+    "docs/install.md": "install.md",
     "packaging/linux/README.md": "linux-service.md",
     "protocol/README.md": "reference/wire.md",
     "protocol/REFERENCE.md": "reference/messages.md",
