@@ -50,7 +50,7 @@ import { refusedInPast } from "../requests/pastGuard";
 import { createAdmission } from "../store/admission";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
-import { createMessages, type Message, say } from "../store/messages";
+import { announce, createMessages, type Message } from "../store/messages";
 import { Parts } from "../store/parts";
 import { Pump } from "../store/pump";
 import { type BrowserStorage, choose, createSettings } from "../store/settings";
@@ -110,7 +110,7 @@ export function createPage(world: World): {
   const now_ms = world.timers.now_ms;
   const pump = new Pump(world.animationFrames, () => telemetry.revision + pasts.revision(), now_ms(), fail);
   const client = (): string | null => connection.getState().client;
-  const tell = (message: Message): void => say(messages, message, world.wall_ms());
+  const tell = (message: Message): void => announce(messages, world.timers, message, world.wall_ms());
 
   /** Part of the page failed and the rest goes on: what that part shows may be old. */
   function fail(error: unknown): void {

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber, isObject, isText } from "../lib/check";
+import type { Timers } from "../lib/timers";
 import type { BrowserStorage } from "./settings";
 
 export type MessageLevel = "info" | "warning" | "error";
@@ -22,10 +23,13 @@ export interface SaidMessage extends Message {
   readonly said_ms: number;
 }
 
-/** `last` is what the status bar shows; `kept` is what was said in this browser tab, oldest first, over reloads too. */
+/** `last` is what the status bar shows, `waiting` what it shows next; `kept` is what was said in this browser tab, oldest first, over reloads too. */
 export interface Messages {
   readonly last: SaidMessage | null;
   readonly kept: readonly SaidMessage[];
+  readonly waiting: SaidMessage | null;
+  /** Whether `last` tells the user why what they did was not done. */
+  readonly isRefusal: boolean;
 }
 
 export type MessageStore = StoreApi<Messages>;
@@ -36,7 +40,7 @@ const KEY = "epf-gcs.messages";
 
 export function createMessages(storage: BrowserStorage | null = null): MessageStore {
   const kept = read(storage);
-  const store = createStore<Messages>(() => ({ last: null, kept }));
+  const store = createStore<Messages>(() => ({ last: null, kept, waiting: null, isRefusal: false }));
   store.subscribe(({ kept: now }, { kept: before }) => {
     if (now !== before) {
       write(storage, now);
@@ -45,11 +49,41 @@ export function createMessages(storage: BrowserStorage | null = null): MessageSt
   return store;
 }
 
+/** How long an information that nobody asked for leaves the answer to a press that failed in the status bar. */
+export const READABLE_MS = 5000;
+
+/** The answer to what the user did: the status bar shows it at once. */
 export function say(store: MessageStore, message: Message, said_ms: number): void {
-  store.setState(({ kept }) => {
-    const last = { ...message, number: (kept.at(-1)?.number ?? 0) + 1, said_ms };
-    return { last, kept: [...kept, last].slice(-MOST_KEPT) };
-  });
+  const last = keep(store, message, said_ms);
+  store.setState({ last, waiting: null, isRefusal: message.level !== "info" });
+}
+
+/** What happened by itself. An information waits until a refusal could be read; a warning or an error does not. */
+export function announce(store: MessageStore, timers: Timers, message: Message, said_ms: number): void {
+  const said = keep(store, message, said_ms);
+  const { last, waiting, isRefusal } = store.getState();
+  const age_ms = last === null ? READABLE_MS : said_ms - last.said_ms;
+  if (message.level !== "info" || !isRefusal || age_ms < 0 || age_ms >= READABLE_MS) {
+    store.setState({ last: said, waiting: null, isRefusal: false });
+    return;
+  }
+  store.setState({ waiting: said });
+  if (waiting === null) {
+    timers.after(READABLE_MS - age_ms, () =>
+      store.setState((now) =>
+        now.waiting === null || now.last !== last
+          ? now
+          : { last: now.waiting, waiting: null, isRefusal: false },
+      ),
+    );
+  }
+}
+
+function keep(store: MessageStore, message: Message, said_ms: number): SaidMessage {
+  const { kept } = store.getState();
+  const said = { ...message, number: (kept.at(-1)?.number ?? 0) + 1, said_ms };
+  store.setState({ kept: [...kept, said].slice(-MOST_KEPT) });
+  return said;
 }
 
 const LEVELS: readonly unknown[] = ["info", "warning", "error"] satisfies MessageLevel[];
