@@ -280,17 +280,30 @@ async def test_a_vehicle_that_hangs_is_noticed_and_whoever_waits_for_it_is_told_
         waiting = asyncio.ensure_future(station.request("hang"))
         await asyncio.sleep(0)
         now_s = asyncio.get_running_loop().time()
-        station.look(now_s + 900.0)
+        for tenths in range(9_900):
+            station.look(now_s + 0.1 * tenths)
         assert heard.silences == []
-        station.look(now_s + 1001.0)
+        for tenths in range(9_900, 10_020):
+            station.look(now_s + 0.1 * tenths)
         assert heard.silences == [True]
         for asked in (waiting, station.request("echo")):
             with pytest.raises(UnavailableError):
                 await asked
-        station.look(now_s + 1002.0)
+        station.look(now_s + 1003.0)
         vehicle.broadcast.event("alarm", {"id": "x"})
         await eventually_async(lambda: len(heard.events) == 1, "it is heard")
         assert heard.silences == [True, False]
+        assert await station.request("echo") == {"by": None}
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_stall_of_this_process_is_no_silence_of_the_vehicle(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard, silent_after_s=1000.0) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        station.look(asyncio.get_running_loop().time() + 2000.0)
+        assert heard.silences == []
         assert await station.request("echo") == {"by": None}
     await vehicle.stop()
 

@@ -35,6 +35,7 @@ _RETRY_S: Final = 0.05
 # The longest request is to send a plan of 100 waypoints over a slow line.
 _ANSWER_S: Final = 120.0
 _LOOK_S: Final = 0.1
+_MOST_OF_A_LOOK_S: Final = 2 * _LOOK_S
 
 log = structlog.get_logger("web")
 
@@ -77,7 +78,8 @@ class StationEnd:
     def __init__(self, folder: Path, listener: Listener, *, silent_after_s: float | None = None) -> None:
         self._loop = asyncio.get_running_loop()
         self._silent_after_s = silent_after_s
-        self._heard_s = 0.0
+        self._silence_s = 0.0
+        self._looked_s = 0.0
         self._is_silent = False
         self._folder = folder
         self._listener = listener
@@ -105,7 +107,7 @@ class StationEnd:
                 self._decoder = Decoder()
                 self._gone.clear()
                 self._said_bye = False
-                self._heard_s, self._is_silent = self._loop.time(), False
+                self._silence_s, self._looked_s, self._is_silent = 0.0, self._loop.time(), False
                 self._channel = Channel(connection, self._on_data, self._on_closed)
                 await self._watch()
         finally:
@@ -122,9 +124,14 @@ class StationEnd:
             self.look(self._loop.time())
 
     def look(self, now_s: float) -> None:
-        """Whether the vehicle has fallen silent by now, a time of the loop."""
+        """Whether the vehicle has fallen silent by now, a time of the loop; told a few times in `silent_after_s`.
+
+        If this process was stalled itself, the records of that time still wait to be read: it counts as a short one.
+        """
+        self._silence_s += min(max(0.0, now_s - self._looked_s), _MOST_OF_A_LOOK_S)
+        self._looked_s = now_s
         limit_s = self._silent_after_s
-        if limit_s is not None and self.is_connected and not self._is_silent and now_s - self._heard_s > limit_s:
+        if limit_s is not None and self.is_connected and not self._is_silent and self._silence_s > limit_s:
             self._is_silent = True
             self._fail_all(_silent())
             self._listener.on_silence(silent=True)
@@ -164,7 +171,7 @@ class StationEnd:
         self.notice(PACE, rate_hz=rate_hz)
 
     def _on_data(self, data: bytes) -> None:
-        self._heard_s = self._loop.time()
+        self._silence_s = 0.0
         if self._is_silent:
             self._is_silent = False
             self._listener.on_silence(silent=False)
