@@ -19,10 +19,10 @@ from lxml import etree
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flights.export.verb import run
-from epf_gcs.formats.recognise import read_mission_file
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import BOARD_RECEIVED, TOPICS
 from tests.flights.flown_flights import M_PER_DEG, SPEED_M_S, WAYPOINTS, gps, indexed, place, quiet, recording
+from tests.formats.plans import read
 from tests.recordings.files import START_NS
 
 GPX = "{http://www.topografix.com/GPX/1/1}"
@@ -211,7 +211,7 @@ def test_a_flight_without_a_position_says_so(tmp_path: Path) -> None:
 
 def test_a_plan_of_a_recording_is_a_plan_file(flight: Path) -> None:
     """The KML of a flight without its tracks is read as a plan; of the whole, the plan's own placemarks are taken."""
-    found = read_mission_file("flight.kml", exported(flight, "kml", "--from-s", "22", "--to-s", "22.5"))
+    found = read(exported(flight, "kml", "--from-s", "22", "--to-s", "22.5"))
     assert [(one.latitude_deg, one.longitude_deg, one.speed_kt) for one in found.waypoints] == [
         (one["latitude_deg"], one["longitude_deg"], one["speed_kt"]) for one in WAYPOINTS
     ]

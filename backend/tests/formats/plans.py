@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.mission_file import MissionFile
-from epf_gcs.formats.recognise import read_mission_file
+from epf_gcs.formats.recognise import read_plan_file, settle_plan
 
 WAYPOINTS = st.builds(
     Waypoint,
@@ -23,8 +23,17 @@ PLANS = st.lists(WAYPOINTS, min_size=1, max_size=100)
 TWO = (Waypoint(27.93, -15.38, 1000.0, 60.0), Waypoint(27.95, -15.36, 1200.0, 55.0))
 
 
-def read(text: str | bytes, name: str = "file") -> MissionFile:
-    return read_mission_file(name, text.encode() if isinstance(text, str) else text)
+def read(
+    text: str | bytes,
+    name: str = "file",
+    *,
+    ground_ft: float | None = None,
+    home_ft: float | None = None,
+    thin: bool = False,
+) -> MissionFile:
+    """As the station reads it. `ground_ft`: the same below all waypoints; None: not known."""
+    plan = read_plan_file(name, text.encode() if isinstance(text, str) else text, thin=thin)
+    return settle_plan(name, plan, [ground_ft] * len(plan.points), home_ft)
 
 
 def notes(found: MissionFile) -> dict[str, Any]:

@@ -94,3 +94,85 @@ def test_coordinates_and_whatever_a_thousand_times_as_much_cannot_be_have_three_
 def test_what_we_write_is_never_asked_about() -> None:
     ours = (Waypoint(27.935, -15.387, 12.345, 1.5), Waypoint(27.936, -15.387, 999.125, 0.25))
     assert read(write_csv(ours)).waypoints == ours
+
+
+def sheet(altitude: str, header: str = "altitude_ft", latitude: str = "27,93", speed: str = "60") -> str:
+    return f"latitude_deg;longitude_deg;{header};speed_kt\n{latitude};-15,38;{altitude};{speed}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "thousand", "decimal"),
+    [
+        ("1,000", "1000", "1.0"),
+        ("1.000", "1000", "1.0"),
+        ("12,345", "12345", "12.3450"),
+        ("+1.250", "1250", "1.25"),
+        ("-1.500", "-1500", "-1.5"),
+    ],
+)
+def test_a_number_of_two_readings_is_a_question(text: str, thousand: str, decimal: str) -> None:
+    error = refusal(sheet(text))
+    assert error.code == "mission_file_which_number"
+    assert error.params == {
+        "name": "file",
+        "place": "@problem.place_line",
+        "nth": 2,
+        "field": "altitude_ft",
+        "value": text,
+        "thousand": thousand,
+        "decimal": decimal,
+    }
+    assert read(sheet(thousand)).waypoints[0].altitude_ft == float(thousand)
+    assert read(sheet(decimal)).waypoints[0].altitude_ft == float(decimal)
+
+
+@pytest.mark.parametrize(
+    ("text", "altitude_ft"),
+    [
+        ("1,234.5", 1234.5),
+        ("1.234,5", 1234.5),
+        ("-1.234,5", -1234.5),
+        ("1000,0", 1000.0),
+        ("1000.125", 1000.125),
+        ("0,125", 0.125),
+        ("0.125", 0.125),
+        ("1,0000", 1.0),
+        ("1.00", 1.0),
+        (".125", 0.125),
+        # One of the two readings lies above all that the board takes.
+        ("61.234", 61.234),
+        ("-2.500", -2.5),
+    ],
+)
+def test_a_number_of_one_reading_is_taken(text: str, altitude_ft: float) -> None:
+    assert read(sheet(text)).waypoints[0].altitude_ft == altitude_ft
+
+
+@pytest.mark.parametrize("text", ["1.000.00", "1,00,000", "1.000,000,0", "1,000.0.0", "01.000,5", "1.,5", "1.234.567,"])
+def test_marks_in_wrong_places_are_no_number(text: str) -> None:
+    assert refusal(sheet(text)).code == "mission_file_unreadable"
+
+
+def test_each_column_asks_by_its_own_range_also_in_metres() -> None:
+    assert read(sheet("1000", latitude="27.935", speed="61,500")).waypoints == (Waypoint(27.935, -15.38, 1000, 61.5),)
+    assert refusal(sheet("18,000", "altitude_m")).code == "mission_file_which_number"
+    assert read(sheet("18,900", "altitude_m")).waypoints[0].altitude_ft == pytest.approx(62.0079)
+    assert refusal(sheet("1.234.567")).code == "mission_file_out_of_range"
+
+
+@pytest.mark.parametrize("altitude_ft", [1.0, 1.25, 12.345, 59.999, -1.5, -1.234, 0.125, 500.125])
+def test_what_we_write_is_read_without_a_question(altitude_ft: float) -> None:
+    plan = (Waypoint(27.935, -15.386, altitude_ft, 1.125),)
+    assert read(write_csv(plan)).waypoints == plan
+
+
+def test_decimal_commas_between_commas_are_not_taken_for_other_columns() -> None:
+    error = refusal(f"{HEADER}\n27.93,-15.38,1000,60\n27,93,-15,38,1000,60\n")
+    assert (error.code, error.params["nth"]) == ("mission_file_cells", 3)
+    assert len(read(f"{HEADER}\n27.93,-15.38,1000,60,,\n").waypoints) == 1
+
+
+def test_metres_beside_feet_are_left_out_and_named() -> None:
+    found = read("latitude_deg;longitude_deg;altitude_ft;altitude_m;speed_kt\n27,93;-15,38;1000;400;60\n")
+    assert found.waypoints[0].altitude_ft == 1000.0
+    assert notes(found) == {"columns_skipped": {"names": "altitude_m"}}

@@ -41,7 +41,8 @@ def test_without_a_route_the_marks_are_the_plan() -> None:
 
 def test_a_walks_speed_is_never_a_speed_to_fly() -> None:
     track = HAND_HELD.format(route="").replace("<wpt", "<!--").replace("</wpt>", "-->")
-    found = read(track)
+    assert refusal(track).code == "mission_file_track"
+    found = read(track, thin=True)
     assert found.waypoints == (Waypoint(27.91, -15.41, 100.0, 55.0), Waypoint(27.92, -15.42, 200.0, 55.0))
 
 
@@ -78,3 +79,9 @@ def test_ours_is_gpx_1_1_in_the_order_of_its_schema() -> None:
     assert [child.tag.removeprefix(space) for child in route] == ["name", "rtept", "rtept"]
     assert [child.tag.removeprefix(space) for child in route[1]] == ["ele", "name", "extensions"]
     assert route[1][2][0].tag == "{urn:epf-gcs:mission:1}speed_kt"
+
+
+def test_a_point_is_always_the_decimal_mark() -> None:
+    assert read('<gpx><rte><rtept lat="27.935" lon="-15.386"><ele>9.144</ele></rtept></rte></gpx>').waypoints == (
+        Waypoint(27.935, -15.386, 30.0, 55.0),
+    )

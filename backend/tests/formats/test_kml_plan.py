@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.kml_plan import write_kml
 from tests.formats.plans import PLANS, TWO, notes, read, refusal
 from tests.support.kml import schema_faults, texts
@@ -97,16 +98,6 @@ def test_altitudes_that_are_not_above_the_sea_are_told(
     assert notes(found)[note[0]] == note[1]
 
 
-@pytest.mark.parametrize(
-    "mode",
-    ["<altitudeMode>relativeToGround</altitudeMode>", "<gx:altitudeMode>relativeToSeaFloor</gx:altitudeMode>"],
-)
-def test_a_height_above_the_ground_is_refused_and_never_flown_as_one_above_the_sea(mode: str) -> None:
-    error = refusal(path(mode=mode, altitude="152.4"))
-    assert error.code == "mission_file_above_ground"
-    assert "absolute altitudes" in error.detail
-
-
 def test_the_first_line_is_the_plan_and_the_rest_is_told() -> None:
     found = read(path(more=PIN + PIN + path().split("<Document>")[1].split("</Document>")[0]))
     assert len(found.waypoints) == 3
@@ -157,3 +148,72 @@ def test_a_broken_pin_beside_the_line_is_nobodys_fault() -> None:
     pin = "<Placemark><Point><coordinates>here</coordinates></Point></Placemark>"
     assert len(read(path(more=pin)).waypoints) == 3
     assert "Placemark 1 is not longitude,latitude,altitude ('here')" in refusal(f"<kml>{pin}</kml>").detail
+
+
+@pytest.mark.parametrize(
+    ("mode", "code"),
+    [
+        ("<altitudeMode>relativeToGround</altitudeMode>", "mission_file_above_ground"),
+        ("<altitudeMode> relativeToGround\n</altitudeMode>", "mission_file_above_ground"),
+        ("<gx:altitudeMode>relativeToSeaFloor</gx:altitudeMode>", "mission_file_frame"),
+        ("<altitudeMode>Absolute</altitudeMode>", "mission_file_frame"),
+        ("<altitudeMode>aboveTerrain</altitudeMode>", "mission_file_frame"),
+        (f"<gx:altitudeOffset>100</gx:altitudeOffset>{ABSOLUTE}", "mission_file_frame"),
+    ],
+)
+@pytest.mark.parametrize("altitude", ["152.4", "0"])
+def test_altitudes_above_the_ground_or_of_an_unknown_kind_are_refused(mode: str, code: str, altitude: str) -> None:
+    assert refusal(path(mode=mode, altitude=altitude)).code == code
+    point = f"<Point>{mode}<coordinates>-15.4,27.9,{altitude}</coordinates></Point>"
+    more = 'xmlns:gx="http://www.google.com/kml/ext/2.2"'
+    error = refusal(f"<kml {more}><Placemark>{PIN.split('<Placemark>')[1]}<Placemark>{point}</Placemark></kml>")
+    assert (error.code, error.params["nth"]) == (code, 2)
+
+
+def test_a_mark_of_several_places_loses_none_in_silence() -> None:
+    text = PIN.replace("-15.4,27.9,0", "-15.4,27.9,100 -15.3,27.8,100")
+    assert refusal(f"<kml>{text}</kml>").code == "mission_file_unreadable"
+
+
+def test_a_line_beside_our_own_marks_that_says_something_else_is_told() -> None:
+    moved = write_kml("x", TWO).replace(b"27.930000000,304.800000 ", b"27.990000000,304.800000 ")
+    assert read(moved).waypoints == TWO
+    assert notes(read(moved)) == {"shapes_skipped": {"count": 1}}
+
+
+def track(count: int, mode: str = ABSOLUTE) -> str:
+    """A track of Google's extension that climbs to the north, with one corner."""
+    coords = "".join(
+        f"<gx:coord>{-15.4 + 0.001 * max(0, nth - 60):.6f} {27.9 + 0.001 * min(nth, 60):.6f} {100 + nth}</gx:coord>"
+        for nth in range(count)
+    )
+    space = 'xmlns="http://www.opengis.net/kml/2.2" xmlns:gx="http://www.google.com/kml/ext/2.2"'
+    return f"<kml {space}><Placemark><gx:Track>{mode}{coords}</gx:Track></Placemark></kml>"
+
+
+def test_a_flown_track_is_asked_about_and_becomes_the_waypoints_at_its_corners() -> None:
+    error = refusal(track(120))
+    assert (error.code, error.params["points"], error.params["waypoints"]) == ("mission_file_track", 120, 3)
+    found = read(track(120), thin=True)
+    assert [(round(at.latitude_deg, 6), round(at.longitude_deg, 6)) for at in found.waypoints] == [
+        (27.9, -15.4),
+        (27.96, -15.4),
+        (27.96, -15.341),
+    ]
+    assert found.waypoints[-1].altitude_ft == pytest.approx(219 / 0.3048, abs=1e-3)
+    assert notes(found)["track_thinned"]["deviation_m"] == error.params["deviation_m"]
+
+
+def test_a_track_above_the_ground_stays_above_it() -> None:
+    mode = "<altitudeMode>relativeToGround</altitudeMode>"
+    with pytest.raises(InvalidInputError, match="above the ground"):
+        read(track(120, mode), thin=True)
+    found = read(track(120, mode), thin=True, ground_ft=500.0)
+    assert found.waypoints[0].altitude_ft == pytest.approx(500 + 100 / 0.3048, abs=1e-3)
+
+
+def test_a_line_of_more_points_than_a_plan_takes_was_flown() -> None:
+    many = " ".join(f"-15.4,{27.9 + nth * 0.0001},100" for nth in range(400))
+    text = f"<kml><LineString>{ABSOLUTE}<coordinates>{many}</coordinates></LineString></kml>"
+    assert refusal(text).code == "mission_file_track"
+    assert len(read(text, thin=True).waypoints) == 2

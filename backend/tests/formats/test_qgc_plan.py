@@ -19,7 +19,8 @@ def simple(command: int, params: Any, frame: int = 3, **more: Any) -> dict[str, 
 
 
 def waypoint(latitude: Any, longitude: Any, altitude: Any, frame: int = 3) -> dict[str, Any]:
-    return simple(16, [0, 0, 0, None, latitude, longitude, altitude], frame, Altitude=altitude, AltitudeMode=1)
+    mode = {0: 2, 5: 2, 3: 1, 6: 1, 10: 4, 11: 4}.get(frame, 1)
+    return simple(16, [0, 0, 0, None, latitude, longitude, altitude], frame, Altitude=altitude, AltitudeMode=mode)
 
 
 def speed(m_s: Any, kind: int = 0) -> dict[str, Any]:
@@ -91,13 +92,6 @@ def test_what_is_no_waypoint_is_left_out_and_named() -> None:
     assert notes(found)["items_skipped"] == {"count": 4, "kinds": "22, survey, 206, 20"}
 
 
-@pytest.mark.parametrize("frame", [10, 11])
-def test_a_height_above_the_ground_is_refused_and_never_flown_as_one_above_the_sea(frame: int) -> None:
-    error = refusal(plan([waypoint(27.94, -15.37, 152.4, 0), waypoint(27.94, -15.37, 152.4, frame)]))
-    assert error.code == "mission_file_above_ground"
-    assert "the height of item 2 is above the ground" in error.detail
-
-
 def test_a_home_of_zeros_is_one_that_nobody_has_set() -> None:
     error = refusal(plan([waypoint(27, -15, 100)], plannedHomePosition=[0, 0, 0]))
     assert error.code == "mission_file_no_home"
@@ -112,7 +106,7 @@ def test_a_home_of_zeros_is_one_that_nobody_has_set() -> None:
             "the height of item 1 counts from home",
         ),
         (plan([waypoint(27, -15, 100)], plannedHomePosition=[27, -15]), "mission_file_no_home", "the height of item 1"),
-        (plan([waypoint(27, -15, 100, 1)]), "mission_file_frame", "the position of item 1 is in frame 1"),
+        (plan([waypoint(27, -15, 100, 1)]), "mission_file_frame", "the position of item 1 is given in '1'"),
         (plan([speed(20), waypoint(None, -15, 100)]), "mission_file_unreadable", "latitude_deg of item 2 is missing"),
         (plan([waypoint("27", -15, 100)]), "mission_file_unreadable", "latitude_deg of item 1 is no number ('27')"),
         (plan([waypoint(True, -15, 100)]), "mission_file_unreadable", "latitude_deg of item 1 is no number"),
@@ -160,3 +154,45 @@ def test_ours_has_all_that_the_file_format_requires() -> None:
 def test_a_speed_is_said_once_and_not_before_each_waypoint() -> None:
     written = orjson.loads(write_plan([TWO[0], TWO[0], TWO[1]]))
     assert [item["command"] for item in written["mission"]["items"]] == [178, 16, 16, 178, 16]
+
+
+# QGroundControl's modes: 0 mixed, 1 above home, 2 above the sea, 3 above the sea as worked out from terrain, 4 terrain.
+@pytest.mark.parametrize(
+    ("mode", "frame", "expected"),
+    [
+        (1, 3, 580.0),
+        (1, 6, 580.0),
+        (2, 0, 500.0),
+        (2, 5, 500.0),
+        (3, 0, 500.0),
+        (4, 10, "mission_file_above_ground"),
+        (4, 11, "mission_file_above_ground"),
+        (0, 3, 580.0),
+        (0, 0, 500.0),
+        (None, 3, 580.0),
+        (None, 0, 500.0),
+        (None, 10, "mission_file_above_ground"),
+        (1, 0, "mission_file_frame_differs"),
+        (2, 3, "mission_file_frame_differs"),
+        (3, 3, "mission_file_frame_differs"),
+        (4, 0, "mission_file_frame_differs"),
+        (2, 10, "mission_file_frame_differs"),
+        (2, 1, "mission_file_frame"),
+        (2, None, "mission_file_frame"),
+        (2, False, "mission_file_frame"),
+        (2, "0", "mission_file_frame"),
+    ],
+)
+def test_every_altitude_mode_is_kept_or_refused(mode: int | None, frame: Any, expected: float | str) -> None:
+    more = {} if mode is None else {"AltitudeMode": mode}
+    item = simple(16, [0, 0, 0, None, 27.94, -15.37, 152.4], frame, Altitude=152.4, **more)
+    for data in (plan([item]), plan([item], globalPlanAltitudeMode=4)):
+        if isinstance(expected, str):
+            assert refusal(data).code == expected
+        else:
+            assert [at.altitude_ft for at in read(data).waypoints] == [expected]
+
+
+def test_an_altitude_that_was_never_worked_out_from_terrain_is_missing() -> None:
+    item = simple(16, [0, 0, 0, None, 27.94, -15.37, None], 0, Altitude=50, AltitudeMode=3, AMSLAltAboveTerrain=None)
+    assert refusal(plan([item])).code == "mission_file_unreadable"

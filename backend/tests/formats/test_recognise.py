@@ -14,7 +14,7 @@ from epf_gcs.codec.messages_gen import ROUTES
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.mission_file import FileFormat
-from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS, read_mission_file
+from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS
 from epf_gcs.vehicle.mission import mission_fault
 from tests.formats.plans import PLANS, TWO, notes, read, refusal
 
@@ -39,14 +39,14 @@ def kmz(name: str, data: bytes) -> bytes:
 def assert_refused_or_whole(data: bytes) -> None:
     """Nothing but a plan that a board takes, or an InvalidInputError, comes out of any bytes."""
     with contextlib.suppress(InvalidInputError):
-        assert mission_fault(read_mission_file("x", data).waypoints) is None
+        assert mission_fault(read(data).waypoints) is None
 
 
 @pytest.mark.parametrize("format_name", FORMATS)
 @settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow, HealthCheck.large_base_example])
 @given(plan=PLANS, title=st.text(max_size=40))
 def test_what_was_written_comes_back(format_name: FileFormat, plan: list[Waypoint], title: str) -> None:
-    found = read_mission_file("plan", WRITERS[format_name](title, plan))
+    found = read(WRITERS[format_name](title, plan))
     assert (found.format, found.notes) == (READ_AS.get(format_name, format_name), ())
     assert len(found.waypoints) == len(plan)
     for written, came_back in zip(plan, found.waypoints, strict=True):
@@ -61,7 +61,7 @@ def test_what_was_written_comes_back(format_name: FileFormat, plan: list[Waypoin
 def test_a_route_of_the_board_comes_back_as_it_is_written_by_people(format_name: FileFormat, route: str) -> None:
     """No 1000.0000000000001 ft in anybody's table."""
     waypoints = ROUTES[route].waypoints
-    assert read_mission_file(route, WRITERS[format_name](route, waypoints)).waypoints == waypoints
+    assert read(WRITERS[format_name](route, waypoints)).waypoints == waypoints
 
 
 @pytest.mark.parametrize("format_name", FORMATS)

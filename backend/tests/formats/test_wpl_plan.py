@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.formats.recognise import read_mission_file
 from tests.formats.plans import notes, read, refusal
 
 HOME = "0\t1\t0\t16\t0\t0\t0\t0\t27.931900\t-15.386600\t24.384000\t1"
@@ -45,12 +44,6 @@ def test_a_file_that_begins_with_item_1_has_no_home_and_loses_no_waypoint() -> N
     found = read(wpl(waypoint(1, "27.94", "-15.37", "304.8", 0), waypoint(2, "27.95", "-15.36", "304.8", 0)))
     assert [one.latitude_deg for one in found.waypoints] == [27.94, 27.95]
     assert "home_skipped" not in notes(found)
-
-
-@pytest.mark.parametrize("frame", [10, 11])
-def test_a_height_above_the_ground_is_refused_and_never_flown_as_one_above_the_sea(frame: int) -> None:
-    error = refusal(wpl(HOME, waypoint(1, "27.94", "-15.37", "120", frame)))
-    assert error.code == "mission_file_above_ground"
 
 
 def test_take_off_landing_and_jumps_are_left_out_and_named_and_a_speed_holds() -> None:
@@ -95,4 +88,76 @@ def test_any_text_behind_the_first_line_is_refused_or_a_whole_plan(text: str, cu
     data = (wpl(HOME, waypoint(1, "27.94", "-15.37", "100")) + text.encode("utf-8", "ignore"))[: 20 + cut]
     # Anything else that is raised is a fault of the reader.
     with contextlib.suppress(InvalidInputError):
-        assert read_mission_file("plan", data).waypoints
+        assert read(data).waypoints
+
+
+@pytest.mark.parametrize("frame", [0, 5])
+def test_a_file_without_home_keeps_its_first_waypoint(frame: int) -> None:
+    found = read(wpl(waypoint(1, "27.94", "-15.37", "304.8", frame), waypoint(2, "27.95", "-15.36", "365.76", frame)))
+    assert found.waypoints == (Waypoint(27.94, -15.37, 1000.0, 55.0), Waypoint(27.95, -15.36, 1200.0, 55.0))
+    assert "home_skipped" not in notes(found)
+
+
+# Each frame of MAVLink: what becomes of 120 m at a waypoint of a file whose home is 24.384 m above the sea.
+@pytest.mark.parametrize(
+    ("frame", "with_home", "without_home"),
+    [
+        ("0", 393.7008, 393.7008),
+        ("5", 393.7008, 393.7008),
+        ("3", 473.7008, "mission_file_no_home"),
+        ("6", 473.7008, "mission_file_no_home"),
+        ("10", "mission_file_above_ground", "mission_file_above_ground"),
+        ("11", "mission_file_above_ground", "mission_file_above_ground"),
+        *(
+            (str(frame), "mission_file_frame", "mission_file_frame")
+            for frame in (1, 2, 4, 7, 8, 9, *range(12, 23), -1, 99)
+        ),
+        ("3.7", "mission_file_unreadable", "mission_file_unreadable"),
+        ("0.9", "mission_file_unreadable", "mission_file_unreadable"),
+    ],
+)
+def test_every_frame_is_kept_or_refused(frame: str, with_home: float | str, without_home: float | str) -> None:
+    line = waypoint(1, "27.94", "-15.37", "120").replace("\t3\t16", f"\t{frame}\t16")
+    for data, expected in ((wpl(HOME, line), with_home), (wpl(line), without_home)):
+        if isinstance(expected, str):
+            assert refusal(data).code == expected
+        else:
+            assert [at.altitude_ft for at in read(data).waypoints] == [expected]
+
+
+def test_a_height_above_the_ground_is_named_by_its_line_and_counted() -> None:
+    lines = [waypoint(n, "27.94", "-15.37", "120", 10 if n > 1 else 0) for n in (1, 2, 3)]
+    error = refusal(wpl(HOME, *lines))
+    assert "the height of line 4 is above the ground, and" in error.detail
+    assert (error.params["place"], error.params["nth"], error.params["count"]) == ("@problem.place_line", 4, 2)
+
+
+@pytest.mark.parametrize("frame", [3, 6, 10])
+def test_a_first_item_that_may_be_home_or_a_waypoint_is_refused(frame: int) -> None:
+    first = HOME.replace("\t0\t16", f"\t{frame}\t16")
+    assert refusal(wpl(first, waypoint(1, "27.94", "-15.37", "120", 0))).code == "mission_file_home_unclear"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("0\t1\t0\t16\t0\t0\t0\t0\t0\t0\t0\t1", waypoint(1, "27.94", "-15.37", "120")),
+    ],
+)
+def test_a_home_that_was_not_set_gives_no_height(lines: tuple[str, ...]) -> None:
+    assert refusal(wpl(*lines)).code == "mission_file_no_home"
+
+
+def test_a_home_that_an_item_moves_gives_no_height() -> None:
+    moved = (HOME, item(1, 179, "0\t0\t0\t0\t28.1\t-15.4\t900"), waypoint(2, "27.94", "-15.37", "120"))
+    assert refusal(wpl(*moved)).code == "mission_file_home_moves"
+
+
+def test_a_waypoint_without_a_place_is_no_place_in_the_gulf_of_guinea() -> None:
+    assert refusal(wpl(HOME, waypoint(1, "0", "0", "120"))).code == "mission_file_unreadable"
+
+
+def test_a_point_is_always_the_decimal_mark() -> None:
+    assert read(wpl(HOME, waypoint(1, "27.935", "-15.386", "9.144", 0))).waypoints == (
+        Waypoint(27.935, -15.386, 30.0, 55.0),
+    )

@@ -1,4 +1,5 @@
 import { isText, nullable, oneOf, shape } from "../lib/check";
+import type { Waypoint } from "../lib/plan";
 import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent } from "../protocol/envelope";
 import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
@@ -8,13 +9,16 @@ import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
 import { type AskingParts, createAsking, info } from "../requests/asking";
 import { wordsOf } from "../store/messages";
+import { questionIn } from "./importQuestion";
 import {
+  askAboutFile,
   boardHas,
   editPlan,
   forgetBoardPlan,
   notePlan,
   type PlanActions,
   type PlanStore,
+  takeImport,
 } from "./planDrafts";
 import { PLAN } from "./planFacts";
 
@@ -65,7 +69,8 @@ export function createPlanActions(
       await run(asker, asked, ({ waypoints }) => {
         isTaken = true;
         boardHas(plans, plan, waypoints);
-        return { state: "confirmed", message: info("plans.saidUploaded", named(plan, waypoints.length)) };
+        const params = { what: `@planName.${plan}`, ...span(waypoints) };
+        return { state: "confirmed", message: info("plans.saidUploaded", params) };
       });
       if (isTaken && goOnTo !== null) {
         await goOn(plan, goOnTo);
@@ -83,10 +88,17 @@ export function createPlanActions(
       }
     },
 
-    importFile: (plan, file, asker) => {
-      const path = `${PATH}/import?name=${encodeURIComponent(file.name)}`;
-      return run(asker, rest.ask("POST", path, isMissionImport, file), ({ waypoints, notes }) => {
-        editPlan(plans, plan, waypoints);
+    importFile: async (plan, file, asker, answers = {}) => {
+      const home = answers.home_ft === undefined ? "" : `&home_ft=${answers.home_ft}`;
+      const path = `${PATH}/import?name=${encodeURIComponent(file.name)}${home}${answers.thin ? "&thin=true" : ""}`;
+      const asked = await rest.ask("POST", path, isMissionImport, file);
+      const question = asked.ok ? null : questionIn(asked.problem, { file, asker, answers });
+      if (question !== null) {
+        askAboutFile(plans, plan, question);
+        return;
+      }
+      await run(asker, Promise.resolve(asked), ({ waypoints, notes }) => {
+        takeImport(plans, plan, waypoints);
         const said = notes.map(({ code, params }) => ({
           level: "warning" as const,
           key: `planNote.${code}`,
@@ -94,7 +106,7 @@ export function createPlanActions(
           fallback: code,
         }));
         notePlan(plans, plan, said);
-        const params = { file: file.name, count: waypoints.length };
+        const params = { file: file.name, ...span(waypoints) };
         return { state: "confirmed", message: info("plans.saidImported", params) };
       });
     },
@@ -107,6 +119,16 @@ export function createPlanActions(
         return { state: "confirmed", message: info("plans.saidExported", { file }) };
       });
     },
+  };
+}
+
+/** How many there are, and between which altitudes above the sea, feet. */
+function span(waypoints: readonly Waypoint[]) {
+  const altitudes_ft = waypoints.map(({ altitude_ft }) => Math.round(altitude_ft));
+  return {
+    count: waypoints.length,
+    lowest_ft: Math.min(...altitudes_ft),
+    highest_ft: Math.max(...altitudes_ft),
   };
 }
 

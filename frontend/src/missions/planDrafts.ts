@@ -2,12 +2,14 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber, isObject, list, shape } from "../lib/check";
 import { amended, begun, edited, type History, redone, undone } from "../lib/history";
 import { samePlan, type Waypoint } from "../lib/plan";
+import { type ImportedWaypoint, isImportedWaypoint } from "../protocol/guards.gen";
 import type { CommandName } from "../protocol/messages.gen";
 import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
 import type { Asker } from "../requests/asking";
 import type { Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { BrowserStorage } from "../store/settings";
+import type { ImportAnswers, ImportQuestion } from "./importQuestion";
 
 /** A flight plan: the draft, and the board's. */
 export interface Plan {
@@ -16,6 +18,10 @@ export interface Plan {
   readonly board: readonly Waypoint[] | null;
   /** The assumptions made when the draft was read from a file. */
   readonly notes: readonly Message[];
+  /** What its file had, with the heights from which its altitudes were converted; empty if none were. */
+  readonly imported: readonly ImportedWaypoint[];
+  /** What a person has to say about a file before it is read; null: nothing. */
+  readonly question: ImportQuestion | null;
   /** A plan of the past: it is shown as it was, and no edit changes it. */
   readonly isFixed: boolean;
 }
@@ -35,7 +41,8 @@ export interface PlanActions {
   readonly upload: (plan: PlanName, asker: Asker, goOnTo: number | null) => Promise<void>;
   /** Make the board load one of its built-in routes, and read it. `canRead`: the board can send its plan. */
   readonly loadRoute: (route: RouteCommand, canRead: boolean, asker: Asker) => Promise<void>;
-  readonly importFile: (plan: PlanName, file: File, asker: Asker) => Promise<void>;
+  /** Read a file as the draft. What only a person can say about it becomes the plan's question. */
+  readonly importFile: (plan: PlanName, file: File, asker: Asker, answers?: ImportAnswers) => Promise<void>;
   /** Save the draft as a file of another program. */
   readonly exportFile: (plan: PlanName, format: PlanFormat, name: string, asker: Asker) => Promise<void>;
 }
@@ -51,14 +58,23 @@ const KEY = "epf-gcs.plans";
 const isDraft = list(
   shape({ latitude_deg: isNumber, longitude_deg: isNumber, altitude_ft: isNumber, speed_kt: isNumber }),
 );
+const isImported = list(isImportedWaypoint);
+/** Key of what a plan's file had, beside the plan's own. */
+const IMPORTED = { flight: "flightImported", hil: "hilImported" } as const;
 
 /** The plans with the drafts that this browser remembers: an unsent edit outlasts the page. */
 export function createPlans(storage: BrowserStorage | null): PlanStore {
   const kept = read(storage);
-  const store = createStore<Plans>(() => ({ flight: begin(kept["flight"]), hil: begin(kept["hil"]) }));
+  const store = createStore<Plans>(() => ({
+    flight: begin(kept["flight"], kept[IMPORTED.flight]),
+    hil: begin(kept["hil"], kept[IMPORTED.hil]),
+  }));
   store.subscribe((plans, before) => {
-    if (PLANS.some((plan) => plans[plan].draft.present !== before[plan].draft.present)) {
-      write(storage, { flight: plans.flight.draft.present, hil: plans.hil.draft.present });
+    const isOther = (plan: PlanName): boolean =>
+      plans[plan].draft.present !== before[plan].draft.present ||
+      plans[plan].imported !== before[plan].imported;
+    if (PLANS.some(isOther)) {
+      write(storage, plans);
     }
   });
   return store;
@@ -107,6 +123,26 @@ export function notePlan(store: PlanStore, plan: PlanName, notes: readonly Messa
   change(store, plan, () => ({ notes }));
 }
 
+/** The draft is what this file had; one step of its undo. */
+export function takeImport(store: PlanStore, plan: PlanName, imported: readonly ImportedWaypoint[]): void {
+  editPlan(
+    store,
+    plan,
+    imported.map(({ latitude_deg, longitude_deg, altitude_ft, speed_kt }) => ({
+      latitude_deg,
+      longitude_deg,
+      altitude_ft,
+      speed_kt,
+    })),
+  );
+  change(store, plan, () => ({ imported: imported.filter(({ origin }) => origin !== null) }));
+}
+
+/** Ask this about a file; null: the question was answered, or dropped with its file. */
+export function askAboutFile(store: PlanStore, plan: PlanName, question: ImportQuestion | null): void {
+  change(store, plan, () => ({ question }));
+}
+
 /** `empty`: nothing to send; `unknown`: what the board has is not known. */
 export type PlanState = "empty" | "unknown" | "same" | "differs";
 
@@ -117,8 +153,15 @@ export function planState({ draft, board, isFixed }: Plan): PlanState {
   return samePlan(draft.present, board) ? "same" : "differs";
 }
 
-function begin(waypoints: unknown): Plan {
-  return { draft: begun(isDraft(waypoints) ? waypoints : []), board: null, notes: [], isFixed: false };
+function begin(waypoints: unknown, imported: unknown): Plan {
+  return {
+    draft: begun(isDraft(waypoints) ? waypoints : []),
+    board: null,
+    notes: [],
+    imported: isImported(imported) ? imported : [],
+    question: null,
+    isFixed: false,
+  };
 }
 
 function edit(store: PlanStore, plan: PlanName, by: (draft: Plan["draft"]) => Plan["draft"]): void {
@@ -138,12 +181,13 @@ function read(storage: BrowserStorage | null): Readonly<Record<string, unknown>>
   }
 }
 
-function write(
-  storage: BrowserStorage | null,
-  drafts: Readonly<Record<PlanName, readonly Waypoint[]>>,
-): void {
+function write(storage: BrowserStorage | null, plans: Plans): void {
   try {
-    storage?.setItem(KEY, JSON.stringify(drafts));
+    const kept = PLANS.flatMap((plan) => [
+      [plan, plans[plan].draft.present],
+      ...(plans[plan].imported.length > 0 ? [[IMPORTED[plan], plans[plan].imported]] : []),
+    ]);
+    storage?.setItem(KEY, JSON.stringify(Object.fromEntries(kept)));
   } catch {
     // Full or forbidden: the drafts last as long as the page.
   }

@@ -13,50 +13,36 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats.mission_file import (
     MAX_WAYPOINTS,
     FileFault,
-    MissionFile,
+    FilePlan,
     Note,
     Place,
     Point,
-    is_ambiguous,
     number,
     place_params,
-    settle,
 )
+from epf_gcs.formats.plan_altitudes import is_admissible
+from epf_gcs.formats.sheet_number import plain_decimal, readings
 from epf_gcs.formats.units import ft_from_m, kt_from_m_s
 
 _COLUMNS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
-_METRIC: Final = {"altitude_m": ft_from_m, "speed_m_s": kt_from_m_s}
-# No value of a kind is larger; what a thousand times as much exceeds is not taken for thousands.
-_LARGEST: Final = {
-    "latitude_deg": 90.0,
-    "longitude_deg": 180.0,
-    "altitude_ft": 60_000.0,
-    "altitude_m": 20_000.0,
-    "speed_kt": 1_000.0,
-    "speed_m_s": 500.0,
-}
+_METRIC: Final = {"altitude_m": ("altitude_ft", ft_from_m), "speed_m_s": ("speed_kt", kt_from_m_s)}
 _NEEDED: Final = ("latitude_deg", "longitude_deg")
 
 
 def write_csv(waypoints: Sequence[Waypoint]) -> bytes:
-    """A CSV with commas, decimal points and a header, as in RFC 4180."""
+    """A CSV with commas, decimal points and a header, as in RFC 4180; no number in it has two readings."""
     text = io.StringIO()
     table = csv.writer(text)
     table.writerow(_COLUMNS)
-    table.writerows([_written(getattr(waypoint, column), column) for column in _COLUMNS] for waypoint in waypoints)
+    table.writerows([plain_decimal(str(getattr(waypoint, column))) for column in _COLUMNS] for waypoint in waypoints)
     return text.getvalue().encode("ascii")
 
 
-def _written(value: float, column: str) -> str:
-    """With one decimal more where three of them could be taken for thousands."""
-    text = repr(value)
-    return f"{text}0" if is_ambiguous(text, _LARGEST[column]) else text
-
-
-def read_csv(data: bytes) -> MissionFile:
+def read_csv(data: bytes) -> FilePlan:
     """The rows in order; columns by their names in the first line, in any order. Raises FileFault with the line.
 
-    The separator is `,`, `;` or a tab; decimal commas are understood if the separator is not a comma.
+    The separator is `,`, `;` or a tab; decimal commas are understood if the separator is not a comma. A number that can
+    be thousands or a decimal is taken as the one that the board accepts, and refused if it accepts both.
     """
     rows = _rows(_text(data))
     header_line, header = next(rows, (1, []))
@@ -70,45 +56,63 @@ def read_csv(data: bytes) -> MissionFile:
             missing=", ".join(missing),
             line=header_line,
         )
-    unknown = [name for name in names if name and name not in (*_COLUMNS, *_METRIC)]
+    used = {*_COLUMNS, *(metric for metric, (name, _) in _METRIC.items() if name not in names)}
+    unknown = [name for name in names if name and name not in used]
     notes = [Note("columns_skipped", {"names": ", ".join(unknown)[:200]})] if unknown else []
     filled = ((line, cells) for line, cells in rows if any(cell.strip() for cell in cells))
     # Reading one more than a plan can hold is enough for `settle` to refuse the file.
     taken = islice(filled, MAX_WAYPOINTS + 1)
-    points = [_point(dict(zip(names, cells, strict=False)), Place("line", line)) for line, cells in taken]
-    return settle("csv", points, notes)
+    points = [_point(_row(names, cells, Place("line", line)), Place("line", line)) for line, cells in taken]
+    return FilePlan("csv", points, notes)
+
+
+def _row(names: Sequence[str], cells: Sequence[str], place: Place) -> dict[str, str]:
+    """The cells by their columns. Raises FileFault if there are more of them, as with decimal commas between commas."""
+    if any(cell.strip() for cell in cells[len(names) :]):
+        raise FileFault(
+            "mission_file_cells",
+            f"{place} has {len(cells)} values and the first line names {len(names)} columns",
+            count=len(cells),
+            columns=len(names),
+            **place_params(place),
+        )
+    return dict(zip(names, cells, strict=False))
 
 
 def _point(row: Mapping[str, str], place: Place) -> Point:
     return Point(
         place,
-        _number(row, "latitude_deg", place),
-        _number(row, "longitude_deg", place),
+        _number(row, "latitude_deg", "latitude_deg", place),
+        _number(row, "longitude_deg", "longitude_deg", place),
         _quantity(row, "altitude_ft", "altitude_m", place),
         _quantity(row, "speed_kt", "speed_m_s", place),
     )
 
 
 def _quantity(row: Mapping[str, str], name: str, metric: str, place: Place) -> float | None:
-    if row.get(name, "").strip():
-        return _number(row, name, place)
-    if row.get(metric, "").strip():
-        return _METRIC[metric](_number(row, metric, place))
-    return None
+    column = name if name in row else metric
+    return _number(row, column, name, place) if row.get(column, "").strip() else None
 
 
-def _number(row: Mapping[str, str], name: str, place: Place) -> float:
-    text = row.get(name, "").strip()
-    if is_ambiguous(text, _LARGEST[name]):
+def _number(row: Mapping[str, str], column: str, field: str, place: Place) -> float:
+    """The number in the column, as the field of a waypoint."""
+    text = row.get(column, "").strip()
+    _, convert = _METRIC.get(column, (field, float))
+    texts = readings(text)
+    values = [convert(number(one, column, place)) for one in texts]
+    admissible = [value for value in values if is_admissible(field, value)]
+    if len(admissible) > 1:
+        thousand, decimal = texts
         raise FileFault(
             "mission_file_which_number",
-            f"{name} of {place} is {text!r}, which may be a thousand or one: write it without thousands mark, or with "
-            "one decimal",
-            field=name,
-            value=text[:30],
+            f"{column} of {place} is {text!r}, which can be {thousand} or {decimal}",
+            field=column,
+            value=text,
+            thousand=thousand,
+            decimal=decimal,
             **place_params(place),
         )
-    return number(text.replace(",", "."), name, place)
+    return admissible[0] if admissible else values[-1]
 
 
 def _rows(text: str) -> Iterator[tuple[int, list[str]]]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.formats.mission_file import MissionFile, Note, Place, Point, number, settle
+from epf_gcs.formats.mission_file import FilePlan, Note, Place, Point, number
 from epf_gcs.formats.units import ft_from_m, m_from_ft
 from epf_gcs.formats.xml_tree import EPF, GPX, add, child, child_text, decimal, every, local, plain, xml_bytes
 
@@ -24,7 +24,7 @@ def write_gpx(name: str, waypoints: Sequence[Waypoint]) -> bytes:
     return xml_bytes(root)
 
 
-def read_gpx(root: Element) -> MissionFile:
+def read_gpx(root: Element) -> FilePlan:
     """The first route with points, else all single waypoints, else the first track. Raises FileFault.
 
     Elevations are metres above mean sea level. A speed is read from our own extension only: in a hand-held's file it
@@ -37,10 +37,11 @@ def read_gpx(root: Element) -> MissionFile:
     ]
     filled = [group for group in groups if group]
     if not filled:
-        return settle("gpx", [])
+        return FilePlan("gpx", [])
     skipped = len(filled) - 1
     notes = [Note("shapes_skipped", {"count": skipped})] if skipped else []
-    return settle("gpx", [_point(element, index) for index, element in enumerate(filled[0], 1)], notes)
+    points = [_point(element, index) for index, element in enumerate(filled[0], 1)]
+    return FilePlan("gpx", points, notes, is_track=local(filled[0][0]) == "trkpt")
 
 
 def _groups(root: Element, group: str, point: str) -> list[list[Element]]:

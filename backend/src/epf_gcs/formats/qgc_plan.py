@@ -8,8 +8,8 @@ from typing import Any, Final
 import orjson
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.formats.mavlink_items import ABOVE_SEA, CHANGE_SPEED, WAYPOINT, ItemReader
-from epf_gcs.formats.mission_file import FileFault, MissionFile, Place, place_params, settle
+from epf_gcs.formats.mavlink_items import ABOVE_SEA, CHANGE_SPEED, WAYPOINT, WAYPOINTS, ItemReader
+from epf_gcs.formats.mission_file import FileFault, FilePlan, Place, place_params
 from epf_gcs.formats.units import m_from_ft, m_s_from_kt
 
 # MAV_FRAME of a command without a position.
@@ -19,6 +19,9 @@ _FIXED_WING: Final = 1
 _GENERIC_AUTOPILOT: Final = 0
 _ABSOLUTE_MODE: Final = 2
 _HOVER_SPEED_M_S: Final = 5.0
+# QGroundControl's AltitudeMode with the frames that it writes for it: above home; above the sea, also as worked out
+# from its own terrain; above the terrain. Other modes say nothing.
+_FRAMES_OF_MODE: Final = {1: (3, 6), 2: (0, 5), 3: (0, 5), 4: (10, 11)}
 
 
 def write_plan(waypoints: Sequence[Waypoint]) -> bytes:
@@ -55,10 +58,10 @@ def write_plan(waypoints: Sequence[Waypoint]) -> bytes:
     return orjson.dumps(plan, option=orjson.OPT_INDENT_2)
 
 
-def read_plan(data: bytes) -> MissionFile:
+def read_plan(data: bytes) -> FilePlan:
     """The waypoints of a plan file, with the speeds commanded before them. Raises FileFault.
 
-    Heights above home become altitudes by adding the altitude of the file's planned home. Items that are not waypoints
+    Heights above home count from the file's planned home, where it says one. Items that are not waypoints
     (take-off, landing, surveys, camera) are left out and noted.
     """
     mission = _mission(data)
@@ -66,7 +69,7 @@ def read_plan(data: bytes) -> MissionFile:
     items = mission.get("items")
     for index, item in enumerate(items if isinstance(items, list) else [], 1):
         _take(reader, item, Place("item", index))
-    return settle("plan", reader.points, reader.notes())
+    return FilePlan("plan", reader.points, reader.notes(), reader.home_ft)
 
 
 def _take(reader: ItemReader, item: object, place: Place) -> None:
@@ -76,7 +79,22 @@ def _take(reader: ItemReader, item: object, place: Place) -> None:
         reader.skip(str(item.get("complexItemType") or item.get("type")))
         return
     params = item.get("params")
+    _refuse_other_mode(item, place)
     reader.take(item.get("command"), item.get("frame"), params if isinstance(params, list) else [], place)
+
+
+def _refuse_other_mode(item: dict[str, Any], place: Place) -> None:
+    """QGroundControl shows the height by its mode, and an aircraft flies it by its frame: they have to agree."""
+    mode, frame = item.get("AltitudeMode"), item.get("frame")
+    fitting = _FRAMES_OF_MODE.get(mode) if isinstance(mode, int) and item.get("command") in WAYPOINTS else None
+    if fitting is not None and frame not in fitting and any(frame in frames for frames in _FRAMES_OF_MODE.values()):
+        raise FileFault(
+            "mission_file_frame_differs",
+            f"the height of {place} is of mode {mode} and in frame {frame}, which do not go together",
+            mode=mode,
+            frame=str(frame),
+            **place_params(place),
+        )
 
 
 def _mission(data: bytes) -> dict[str, Any]:

@@ -5,18 +5,22 @@ from __future__ import annotations
 import codecs
 import io
 import zipfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from typing import Final
 from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.errors import InvalidInputError
+from epf_gcs.errors import InvalidInputError, Params
 from epf_gcs.formats.csv_plan import read_csv, write_csv
 from epf_gcs.formats.gpx_plan import read_gpx, write_gpx
 from epf_gcs.formats.kml_plan import read_kml, write_kml
 from epf_gcs.formats.kmz import DOCUMENT, kmz_pieces
-from epf_gcs.formats.mission_file import FileFault, FileFormat, MissionFile
+from epf_gcs.formats.mission_file import MAX_WAYPOINTS, FileFault, FileFormat, FilePlan, MissionFile, Note
+from epf_gcs.formats.plan_altitudes import settle
 from epf_gcs.formats.qgc_plan import read_plan, write_plan
+from epf_gcs.formats.track_thinning import thinned
 from epf_gcs.formats.wpl_plan import SIGNATURE, read_wpl
 from epf_gcs.formats.xml_tree import local, parse_xml
 from epf_gcs.formats.zip_faults import ZIP_FAULTS
@@ -35,17 +39,48 @@ WRITERS: Final[Mapping[FileFormat, Callable[[str, Sequence[Waypoint]], bytes]]] 
 }
 
 
-def read_mission_file(name: str, data: bytes) -> MissionFile:
-    """The plan in a file, whose format is recognised by its first bytes. Raises InvalidInputError naming the file."""
+def read_plan_file(name: str, data: bytes, *, thin: bool = False) -> FilePlan:
+    """What a file has, whose format is recognised by its first bytes. Raises InvalidInputError naming the file.
+
+    `thin`: a flown track becomes the few waypoints that it differs least from; else it is refused with their number.
+    """
+    with _named(name):
+        plan = _read(data)
+        return _thinned(plan, is_wanted=thin) if plan.is_track else plan
+
+
+def settle_plan(
+    name: str, plan: FilePlan, ground_ft: Sequence[float | None] = (), home_ft: float | None = None
+) -> MissionFile:
+    """The plan for the board, with its altitudes above the sea (see `settle`). Raises InvalidInputError."""
+    with _named(name):
+        return settle(plan, ground_ft, home_ft)
+
+
+@contextmanager
+def _named(name: str) -> Iterator[None]:
     try:
-        return _read(data)
+        yield
     except FileFault as fault:
         raise InvalidInputError(
             fault.code, f"'{name}' cannot be read as a flight plan because {fault.why}.", name=name, **fault.params
         ) from fault
 
 
-def _read(data: bytes) -> MissionFile:
+def _thinned(track: FilePlan, *, is_wanted: bool) -> FilePlan:
+    points, deviation_m = thinned(track.points, MAX_WAYPOINTS)
+    figures: Params = {"points": len(track.points), "waypoints": len(points), "deviation_m": round(deviation_m, 1)}
+    if not is_wanted:
+        raise FileFault(
+            "mission_file_track",
+            f"it is a flown track of {len(track.points)} points: as a plan of {len(points)} waypoints it differs by up "
+            f"to {deviation_m:.0f} m: ask for it with `thin`",
+            **figures,
+        )
+    return replace(track, points=points, notes=[*track.notes, Note("track_thinned", figures)])
+
+
+def _read(data: bytes) -> FilePlan:
     data = unpacked_kml(data)
     start = data.removeprefix(codecs.BOM_UTF8).lstrip()[:8]
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
@@ -61,7 +96,7 @@ def _read(data: bytes) -> MissionFile:
     return read_csv(data)
 
 
-def _read_xml(root: Element) -> MissionFile:
+def _read_xml(root: Element) -> FilePlan:
     reader = {"kml": read_kml, "gpx": read_gpx}.get(local(root))
     if reader is None:
         raise FileFault("mission_file_unknown", f"it is XML, but neither KML nor GPX (<{local(root)[:30]}>)")

@@ -4,27 +4,34 @@ from __future__ import annotations
 
 from typing import Final
 
-from epf_gcs.formats.mavlink_items import WAYPOINT, ItemReader
-from epf_gcs.formats.mission_file import FileFault, MissionFile, Note, Place, number, settle
+from epf_gcs.formats.mavlink_items import ABOVE_SEA, WAYPOINT, ItemReader
+from epf_gcs.formats.mission_file import (
+    FileFault,
+    FilePlan,
+    Note,
+    Place,
+    not_a_number,
+    number,
+    place_params,
+)
 
 SIGNATURE: Final = b"QGC WPL "
 """The first bytes of such a file; its version follows."""
 _VERSION: Final = "110"
 # Sequence number, whether it is the current one, frame, command, seven parameters, whether to go on.
 _COLUMNS: Final = 12
-_SEQUENCE: Final = 0
+_INDEX: Final = 0
 _FRAME: Final = 2
 _COMMAND: Final = 3
 _PARAMETERS: Final = slice(4, 11)
 _MAX_ITEMS: Final = 5000
 
 
-def read_wpl(data: bytes) -> MissionFile:
+def read_wpl(data: bytes) -> FilePlan:
     """The waypoints of the file, with the speeds commanded before them. Raises FileFault naming the line.
 
-    Item 0 is where the flight begins, not a waypoint: Mission Planner writes it so, and heights above home count from
-    it. A file that begins with item 1 has no home: all its waypoints are taken, and heights above home are refused.
-    What is no waypoint is left out and noted.
+    Item 0 is where the flight begins, not a waypoint: Mission Planner writes it so, above the sea, and heights above
+    home count from it. A file that begins with another item has no home. What is no waypoint is left out and noted.
     """
     try:
         text = data.decode("utf-8")
@@ -39,13 +46,25 @@ def read_wpl(data: bytes) -> MissionFile:
     reader = ItemReader(None)
     notes: list[Note] = []
     for nth, (place, cells) in enumerate(items):
-        sequence, frame, command, parameters = _item(cells, place)
-        if nth == 0 and sequence == 0 and command == WAYPOINT:
+        index, frame, command, parameters = _item(cells, place)
+        if nth == 0 and index == 0 and command == WAYPOINT:
+            _refuse_other_home(frame, place)
             reader = ItemReader(parameters[4:7])
             notes.append(Note("home_skipped", {"latitude_deg": parameters[4], "longitude_deg": parameters[5]}))
         else:
             reader.take(command, frame, parameters, place)
-    return settle("waypoints", reader.points, [*notes, *reader.notes()])
+    return FilePlan("waypoints", reader.points, [*notes, *reader.notes()], reader.home_ft)
+
+
+def _refuse_other_home(frame: int, place: Place) -> None:
+    """Programs that know no home write their first waypoint as item 0: then its height counts from home."""
+    if frame not in ABOVE_SEA:
+        raise FileFault(
+            "mission_file_home_unclear",
+            f"{place} is item 0, which is home, and has a height as a waypoint has it, in frame {frame}",
+            frame=frame,
+            **place_params(place),
+        )
 
 
 def _item(cells: list[str], place: Place) -> tuple[int, int, int, list[float]]:
@@ -56,9 +75,19 @@ def _item(cells: list[str], place: Place) -> tuple[int, int, int, list[float]]:
             format="waypoints",
             line=place.nth,
         )
-    sequence = number(cells[_SEQUENCE], "sequence number", place)
-    frame = number(cells[_FRAME], "frame", place)
-    command = number(cells[_COMMAND], "command", place)
+    index = _whole(cells[_INDEX], "index", place)
+    frame = _whole(cells[_FRAME], "frame", place)
+    command = _whole(cells[_COMMAND], "command", place)
     names = ("param1", "param2", "param3", "param4", "latitude_deg", "longitude_deg", "altitude")
     parameters = [number(cell, name, place) for cell, name in zip(cells[_PARAMETERS], names, strict=True)]
-    return int(sequence), int(frame), int(command), parameters
+    if command == WAYPOINT and index > 0 and parameters[4:6] == [0, 0]:
+        # MAVLink's way to say "where the aircraft is then".
+        raise not_a_number("latitude_deg", "", place)
+    return index, frame, command, parameters
+
+
+def _whole(text: str, field: str, place: Place) -> int:
+    value = number(text, field, place)
+    if not value.is_integer():
+        raise not_a_number(field, text, place)
+    return int(value)

@@ -82,6 +82,18 @@ class Ground:
                 found[missing] = self._of_layer(layer, latitude_deg[missing], longitude_deg[missing], now_s)
         return found
 
+    async def read(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
+        """The same as `heights`, once the tiles below have been read; NaN where the station knows no height."""
+        await self._look_for_layers()
+        found = self.heights(latitude_deg, longitude_deg)
+        # Each turn asks a coarser layer for what a finer one does not have.
+        for _ in self._layers:
+            if not self._wanted:
+                break
+            await self.read_wanted()
+            found = self.heights(latitude_deg, longitude_deg)
+        return found
+
     async def run(self) -> None:
         """Look for layers and read the tiles that are wanted, forever."""
         while True:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final, Literal, Protocol
+
+import numpy as np
 
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.units import ft_from_m, m_from_ft
@@ -95,6 +97,12 @@ class Surroundings:
         self._is_unknown = False
         self._take(change)
         self.look()
+
+    async def ground_ft(self, places_deg: Sequence[tuple[float, float]]) -> list[float | None]:
+        """The ground's altitude below places of latitude and longitude, feet above the sea; None where not known."""
+        latitude_deg, longitude_deg = np.array(places_deg, dtype=np.float64).reshape(-1, 2).T
+        heights_m = await self._ground.read(latitude_deg, longitude_deg)
+        return [None if math.isnan(height_m) else ft_from_m(height_m) for height_m in heights_m.tolist()]
 
     def state(self) -> dict[str, Any]:
         """For the status: what was seen last."""

@@ -2,6 +2,7 @@ import { type ReactNode, useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useSentence } from "../../i18n/useSentence";
+import { useOriginText } from "../../missions/altitudeOrigin";
 import { PlaceField } from "../../missions/PlaceField";
 import { MISSIONS, notePlan } from "../../missions/planDrafts";
 import { ReplaceDialog } from "../../missions/ReplaceDialog";
@@ -25,6 +26,7 @@ export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
   const { t } = useTranslation();
   const shown = usePlan(plan);
   const { waypoints } = shown;
+  const originText = useOriginText(plan);
   const noTransfer = useNoTransfer().long;
   const selection = usePart(SELECTION);
   const thing = useStore(selection, (now) => now.thing);
@@ -73,6 +75,7 @@ export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
                 active={shown.active}
                 selected={selected === null ? [] : rows}
                 isFixed={shown.isFixed}
+                originText={originText}
                 onSelect={setChosen}
                 onEdit={edit.change}
                 onGo={edit.go}

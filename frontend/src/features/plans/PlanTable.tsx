@@ -16,6 +16,8 @@ interface Props {
   selected: readonly number[];
   /** A plan of the past: its cells are only read. */
   isFixed: boolean;
+  /** What an altitude was converted from; null if it was not. */
+  originText: (waypoint: Waypoint) => string | null;
   onSelect: (row: number, field: WaypointField) => void;
   onEdit: (row: number, field: WaypointField, value: number) => void;
   /** Move the cursor to another cell. */
@@ -23,7 +25,8 @@ interface Props {
 }
 
 /** The waypoints of a plan as an editable table, with the leg from each to the next. */
-export function PlanTable({ waypoints, issues, active, selected, isFixed, onSelect, onEdit, onGo }: Props) {
+export function PlanTable(props: Props) {
+  const { waypoints, issues, active, selected, isFixed, originText, onSelect, onEdit, onGo } = props;
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const speed = useUnit("speed");
@@ -43,7 +46,11 @@ export function PlanTable({ waypoints, issues, active, selected, isFixed, onSele
           <th scope="col">{t("plans.number")}</th>
           <Head title={t("plans.latitude")} unit={t("unit.deg")} />
           <Head title={t("plans.longitude")} unit={t("unit.deg")} />
-          <Head title={t("plans.altitude")} unit={altitude.label} />
+          <Head
+            title={t("plans.altitude")}
+            unit={`${altitude.label} ${t("plans.amsl")}`}
+            hint={t("plans.amslHint")}
+          />
           <Head title={t("plans.speed")} unit={speed.label} />
           <Head title={t("plans.distance")} unit={distance.label} hint={t("plans.toNext")} />
           <Head title={t("plans.bearing")} unit={t("unit.deg")} hint={t("plans.toNext")} />
@@ -71,6 +78,7 @@ export function PlanTable({ waypoints, issues, active, selected, isFixed, onSele
                     if (row >= 0 && row < waypoints.length) onGo(row, field);
                   }}
                 />
+                {field === "altitude_ft" && <Origin text={originText(waypoint)} />}
               </td>
             ))}
             <td className="plans-figure">
@@ -91,6 +99,10 @@ function Head({ title, unit, hint }: { title: string; unit: string; hint?: strin
       {title} <span className="plans-unit">{unit}</span>
     </th>
   );
+}
+
+function Origin({ text }: { text: string | null }) {
+  return text === null ? null : <span className="plans-origin">{text}</span>;
 }
 
 interface Row {

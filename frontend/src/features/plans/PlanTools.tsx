@@ -1,6 +1,7 @@
 import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { ImportQuestions } from "../../missions/ImportQuestions";
 import { MISSIONS } from "../../missions/planDrafts";
 import { PLAN } from "../../missions/planFacts";
 import { SendPlan } from "../../missions/SendPlan";
@@ -117,6 +118,7 @@ function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace">
   const blocked = isOpen ? undefined : t("blocked.gateway");
   return (
     <>
+      <ImportQuestions plan={plan} />
       <FileButton
         accept=".kml,.kmz,.gpx,.csv,.plan,.waypoints"
         onFile={(file) =>

@@ -3,6 +3,7 @@ import { type KeyboardEvent, type ReactNode, useId } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import { changed, type Push, pushed, type Waypoint, type WaypointField } from "../../../lib/plan";
+import { useOriginText } from "../../../missions/altitudeOrigin";
 import { PlaceField } from "../../../missions/PlaceField";
 import { amendPlan, editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { COLUMN } from "../../../missions/planFacts";
@@ -37,10 +38,13 @@ const KEYS: Readonly<Record<string, (step: number) => Push>> = {
 export function WaypointEditor({ aircraft, waypoints, row, held }: Props) {
   const { t } = useTranslation();
   const waypoint = waypoints[row];
+  const originText = useOriginText(aircraft);
+  const origin = waypoint === undefined ? null : originText({ ...waypoint, ...held });
   return waypoint === undefined ? null : (
     <fieldset className="map-plan-editor">
       <legend>{t("map.plan.editing", { number: row + 1 })}</legend>
       <Fields aircraft={aircraft} waypoints={waypoints} row={row} waypoint={{ ...waypoint, ...held }} />
+      {origin !== null && <p className="map-plan-hint">{origin}</p>}
       <Pusher aircraft={aircraft} waypoints={waypoints} row={row} />
     </fieldset>
   );

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from pydantic import Field
 
 from epf_gcs.contract.shapes import Output, ParamValue
 from epf_gcs.formats.mission_file import Format, NoteCode
-from epf_gcs.web.interface.missions.schemas import MissionInput, WaypointModel
+from epf_gcs.web.interface.missions.schemas import MissionInput
 
 
 class MissionExport(MissionInput):
@@ -20,7 +22,11 @@ class MissionNote(Output):
 
     altitude_missing {count, altitude_ft} and speed_missing {count, speed_kt}: filled in with this.
     altitude_clamped {count}: the file puts them on the ground, yet gives altitudes, which were taken.
-    altitude_from_home {count, home_ft}: the planned home's altitude was added.
+    altitude_from_home {count, home_ft}: heights above home; home's altitude was added.
+    altitude_from_ground {count, lowest_ft, highest_ft}: heights above the ground; the ground's altitude, between these,
+    was added.
+    home_off_ground {home_ft, ground_ft}: the file's home is far above or below the ground at its first waypoint.
+    track_thinned {points, waypoints, deviation_m}: a flown track, as the waypoints that it differs least from.
     home_skipped {latitude_deg, longitude_deg}: the first item of a .waypoints file is where the flight begins.
     items_skipped {count, kinds}, shapes_skipped {count}, columns_skipped {names}: what is no waypoint was left out.
     """
@@ -29,9 +35,27 @@ class MissionNote(Output):
     params: dict[str, ParamValue]
 
 
+class AltitudeOrigin(Output):
+    """What an altitude was converted from: `height_ft` above home or the ground, whose altitude is `reference_ft`."""
+
+    frame: Literal["home", "ground"]
+    height_ft: float
+    reference_ft: float
+
+
+class ImportedWaypoint(Output):
+    """A waypoint as the board takes it: `altitude_ft` above mean sea level, as the file says it or from `origin`."""
+
+    latitude_deg: float
+    longitude_deg: float
+    altitude_ft: float
+    speed_kt: float
+    origin: AltitudeOrigin | None
+
+
 class MissionImport(Output):
     """What was in the file. Nothing was sent to the board."""
 
     format: Format
-    waypoints: list[WaypointModel]
+    waypoints: list[ImportedWaypoint]
     notes: list[MissionNote]
