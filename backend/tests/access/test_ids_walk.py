@@ -41,7 +41,7 @@ class IdsWalk:
         self.desk.control._look()
         self.desk.events.clear()
         self.desk.notices.clear()
-        self.desk.loop.later.clear()
+        self.desk.loop.timers.clear()
         holder = self.desk.control.holder
         if holder is not None:
             assert self.open[holder.client][1].session == holder.session, "who has control is there"

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from types import SimpleNamespace
 
 import pytest
 
 from epf_gcs.bus.definition import Decoder, Kind
 from epf_gcs.bus.vehicle_end import Broadcast
+from tests.support.held_loop import HeldLoop
 
 
 class _Listener:
@@ -24,23 +24,8 @@ class _Listener:
         self.is_lost = True
 
 
-class _Loop:
-    """Gives the time that the test says, and keeps what is to be done later."""
-
-    def __init__(self) -> None:
-        self.now_s = 100.0
-        self.later: list[float] = []
-
-    def time(self) -> float:
-        return self.now_s
-
-    def call_at(self, at_s: float, _: Callable[[], None]) -> SimpleNamespace:
-        self.later.append(at_s)
-        return SimpleNamespace(cancel=lambda: None)
-
-
 def test_gathered_samples_leave_a_period_of_the_fastest_after_those_before(monkeypatch: pytest.MonkeyPatch) -> None:
-    loop = _Loop()
+    loop = HeldLoop(100.0)
     monkeypatch.setattr(asyncio, "get_running_loop", lambda: loop)
     broadcast = Broadcast(lambda: 5.0)
     sent: list[bytes] = []
@@ -51,19 +36,21 @@ def test_gathered_samples_leave_a_period_of_the_fastest_after_those_before(monke
         broadcast.sample("gps", loop.now_s, {})
         broadcast.flush()
     assert len(sent) == 1, "the first leaves at once"
-    assert loop.later == [pytest.approx(100.025)], "on the way to its beat, half a period after it"
+    assert [one.due_s for one in loop.timers] == [pytest.approx(100.025)], (
+        "on the way to its beat, half a period after it"
+    )
     loop.now_s = 100.025
     broadcast.sample("gps", loop.now_s, {})
     broadcast.flush()
     assert len(sent) == 2
     broadcast.sample("gps", loop.now_s, {})
     broadcast.flush()
-    assert loop.later[-1] == pytest.approx(100.075), "from then on a twentieth of a second"
+    assert loop.timers[-1].due_s == pytest.approx(100.075), "from then on a twentieth of a second"
 
 
 @pytest.fixture
-def loop(monkeypatch: pytest.MonkeyPatch) -> _Loop:
-    made = _Loop()
+def loop(monkeypatch: pytest.MonkeyPatch) -> HeldLoop:
+    made = HeldLoop(100.0)
     monkeypatch.setattr(asyncio, "get_running_loop", lambda: made)
     return made
 
@@ -92,7 +79,7 @@ def test_a_listener_that_falls_behind_gets_no_samples_then_nothing_and_costs_the
     assert not quick.is_lost
 
 
-def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: _Loop) -> None:
+def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: HeldLoop) -> None:
     broadcast = Broadcast(lambda: 5.0)
     sent: list[bytes] = []
     broadcast.pace(_Listener(sent.append), 1)  # type: ignore[arg-type]
@@ -111,7 +98,7 @@ def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: _
         tell()
         assert kinds(sent)[0] == Kind.SAMPLE
         assert len(kinds(sent)) == 2
-    assert len(loop.later) == 3, "each time they would have left by themselves"
+    assert len(loop.timers) == 3, "each time they would have left by themselves"
 
 
 @pytest.mark.usefixtures("loop")
@@ -143,7 +130,7 @@ def test_without_listeners_nothing_is_kept_for_one_who_comes_later() -> None:
     assert sent == []
 
 
-def test_gathered_samples_leave_with_others_that_come_just_before_their_time(loop: _Loop) -> None:
+def test_gathered_samples_leave_with_others_that_come_just_before_their_time(loop: HeldLoop) -> None:
     broadcast = Broadcast(lambda: 5.0)
     sent: list[bytes] = []
     broadcast.pace(_Listener(sent.append), 1)  # type: ignore[arg-type]
@@ -155,7 +142,7 @@ def test_gathered_samples_leave_with_others_that_come_just_before_their_time(loo
     assert kinds(sent) == [Kind.SAMPLE] * 3
 
 
-def test_another_pace_begins_with_the_next_sample(loop: _Loop) -> None:
+def test_another_pace_begins_with_the_next_sample(loop: HeldLoop) -> None:
     broadcast = Broadcast(lambda: 5.0)
     sent: list[bytes] = []
     listener = _Listener(sent.append)
@@ -163,7 +150,7 @@ def test_another_pace_begins_with_the_next_sample(loop: _Loop) -> None:
     for _ in range(2):
         broadcast.sample("gps", 1.0, {})
         broadcast.flush()
-    assert (len(sent), len(loop.later)) == (1, 1)
+    assert (len(sent), len(loop.timers)) == (1, 1)
     broadcast.pace(listener, 2)  # type: ignore[arg-type]
     assert len(sent) == 2, "what was gathered"
     broadcast.sample("gps", 2.0, {})

@@ -97,7 +97,7 @@ async def test_the_path_is_kept_noted_and_told_at_once(asked: Asked, tmp_path: P
     asked.records()
     answer = await asked("hil.set", path="assisted")
     assert (answer["path"], answer["source"]) == ("assisted", None)
-    assert asked.flight._status_due
+    assert asked.flight._sending.is_armed
     asked.flight.memory.close()
     again = Flight(tmp_path)
     assert again.hil.path == "assisted"
@@ -144,7 +144,7 @@ async def test_the_board_loses_the_surfaces_that_it_has_when_the_profile_proves_
     asked.flight.hil.begin(None, "xp12")
     turn(asked.flight, "xp10")
     assert (await asked("hil.read"))["path"] == "manual"
-    assert asked.flight._status_due
+    assert asked.flight._sending.is_armed
     errors = [data for kind, data in asked.told if kind == "error"]
     assert [error["code"] for error in errors] == ["profile_took_surfaces"]
     asked.flight.memory.close()

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from epf_gcs import earth
 from epf_gcs.vehicle.example_flight import (
     CENTRE_LATITUDE_DEG,
     CENTRE_LONGITUDE_DEG,
@@ -18,7 +19,7 @@ from epf_gcs.vehicle.example_flight import (
 )
 
 TIMES = st.floats(0, 86400, allow_nan=False)
-M_PER_DEG = math.pi * 6371000.0 / 180.0
+M_PER_DEG = math.pi * earth.RADIUS_M / 180.0
 
 
 def moved_m(first_s: float, second_s: float) -> tuple[float, float]:

@@ -27,6 +27,7 @@ from epf_gcs.access.sessions import LASTS_S, Sessions
 from epf_gcs.access.store import AccessStore, Person, Program, Session
 from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError, NotAdmittedError, NotKeptError
+from epf_gcs.repeating import repeat
 
 ANYONE: Final = "anyone"
 _LAUNCHER: Final = Caller("program", "launcher", "epf-run", Role.owner, LOCAL_SESSION)
@@ -94,7 +95,7 @@ class Admission:
         if self.policy.launcher_key is not None:
             self.programs.add_proven(self.policy.launcher_key, _LAUNCHER)
         self._opened = True
-        writing = asyncio.create_task(self._write_last_heard())
+        writing = asyncio.create_task(repeat(_WRITTEN_EVERY_S, "who was here last", self._write_last_heard))
         try:
             yield
         finally:
@@ -257,11 +258,9 @@ class Admission:
         self.on_changed(ids)
 
     async def _write_last_heard(self) -> None:
-        while True:
-            await asyncio.sleep(_WRITTEN_EVERY_S)
-            gone = self.sessions.forget_waiting(self.clock.now_s())
-            heard = self.sessions.take_unwritten(), self.programs.take_unwritten()
-            await self.proving.run(partial(self._write_all, gone, *heard))
+        gone = self.sessions.forget_waiting(self.clock.now_s())
+        heard = self.sessions.take_unwritten(), self.programs.take_unwritten()
+        await self.proving.run(partial(self._write_all, gone, *heard))
 
     def _write_all(self, gone: list[str], sessions: dict[str, float], programs: dict[str, float]) -> None:
         """Where the disk does not take it, nothing but the list of who was here when suffers."""

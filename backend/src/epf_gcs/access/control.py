@@ -17,7 +17,7 @@ from epf_gcs.access.roles import Role
 from epf_gcs.access.watch import LOOK_EVERY_S, Line, Watch
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
-from epf_gcs.kept_alive import failed_in
+from epf_gcs.repeating import Repeating, report_failure
 from epf_gcs.xplane.datagram import Surfaces
 
 # An axis that moved by less is a hand at rest, or a worn gamepad.
@@ -60,7 +60,7 @@ class Control:
         self._stick_at: Surfaces | None = None
         # Whoever keeps a log of it.
         self.on_holder: Callable[[HolderChanged], None] = lambda _: None
-        self._timer: asyncio.TimerHandle | None = None
+        self._looking = Repeating(loop, "the watch over control", self._look, after_failure_s=LOOK_EVERY_S)
 
     @property
     def holder(self) -> Page | None:
@@ -104,7 +104,7 @@ class Control:
         self._apply(self._rules.connect(page, self._clock.steady_s()))
         # Samples of an earlier stream of the same page must not count as those of this one.
         self._told.notice("stick_gone", client=client_id)
-        self._arm()
+        self._looking.arm(LOOK_EVERY_S)
         return page
 
     def disconnect(self, client_id: str, line: Line) -> None:
@@ -140,7 +140,7 @@ class Control:
             page = Page(kept["client"], session, about.get("kind", "person"), str(kept["name"]), number, Role.operator)
             self._belongs(page.client, session)
             self._apply(self._rules.restore(page, self._clock.steady_s()))
-            self._arm()
+            self._looking.arm(LOOK_EVERY_S)
 
     def tell_flight(self, put_out: Page | None = None) -> None:
         """Tell the flight process who may move the stick, or for whom it is kept meanwhile.
@@ -286,23 +286,15 @@ class Control:
         for client in gone:
             self._told.notice("stick_gone", client=client)
 
-    def _arm(self) -> None:
-        if self._timer is None:
-            self._timer = self._loop.call_later(LOOK_EVERY_S, self._look)
-
-    def _look(self) -> None:
+    def _look(self) -> float | None:
         """Look at the lines of those whose silence matters: who has control, who asks, and who was silent."""
-        self._timer = None
         rules = self._rules
         watched = [*rules.requests, *rules.silent_pages, *(() if rules.holder is None else (rules.holder.client,))]
         self._watches = {client: self._watches.get(client) or Watch() for client in dict.fromkeys(watched)}
-        try:
-            for client, watch in tuple(self._watches.items()):
-                self._look_at(client, watch)
-            self._apply(rules.tick(self._clock.steady_s()))
-        finally:
-            if self._lines or rules.kept_for is not None:
-                self._arm()
+        for client, watch in tuple(self._watches.items()):
+            self._look_at(client, watch)
+        self._apply(rules.tick(self._clock.steady_s()))
+        return LOOK_EVERY_S if self._lines or rules.kept_for is not None else None
 
     def _look_at(self, client: str, watch: Watch) -> None:
         """A page whose line cannot be looked at counts as silent: it must not keep control, nor end the watch."""
@@ -310,7 +302,7 @@ class Control:
         try:
             found = watch.look(self._lines[client])
         except Exception as error:  # noqa: BLE001 - told to the loop
-            failed_in("the watch over a page's line", error)
+            report_failure(self._loop, "the watch over a page's line", error)
             found = "silent"
         known = "silent" if client in rules.silent_pages else "hangs" if client == rules.hung else "heard"
         if found == known or (found, known) == ("hangs", "silent"):

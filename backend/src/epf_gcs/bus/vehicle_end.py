@@ -26,6 +26,7 @@ from epf_gcs.bus.definition import (
 )
 from epf_gcs.bus.faults import fault_of
 from epf_gcs.errors import GatewayError
+from epf_gcs.repeating import Repeating
 
 # A listener with this many unsent bytes gets no samples until it has caught up: only the newest ones are of use.
 _MOST_UNSENT_SAMPLES: Final = 1_000_000
@@ -55,7 +56,7 @@ class Broadcast:
         self._samples: list[bytes] = []
         self._gather_s = 0.0
         self._due_s = 0.0
-        self._timer: asyncio.TimerHandle | None = None
+        self._sending = Repeating(self._loop, "samples for the station", self._send_due)
         self._decode: Callable[[], None] | None = None
 
     @property
@@ -129,9 +130,8 @@ class Broadcast:
         decode, self._decode = self._decode, None
         if decode is not None:
             decode()
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
+        if self._sending.is_armed:
+            self._sending.cancel()
         if self._samples:
             data = b"".join(self._samples)
             self._samples.clear()
@@ -150,8 +150,8 @@ class Broadcast:
             return True
         if self._loop.time() >= self._due_s - _EARLY * self._gather_s:
             return True
-        if self._timer is None:
-            self._timer = self._loop.call_at(self._due_s, self._send_due)
+        if not self._sending.is_armed:
+            self._sending.arm(self._due_s - self._loop.time())
         return False
 
     def _plan(self) -> None:
@@ -160,7 +160,6 @@ class Broadcast:
         self._due_s = max(self._due_s + self._gather_s, now_s + 0.5 * self._gather_s)
 
     def _send_due(self) -> None:
-        self._timer = None
         self._plan()
         self.send_gathered()
 

@@ -10,13 +10,13 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.maps.layer import Bounds
 
 MOST_TILES: Final = 200_000
 """Of one level; more are no field any more."""
 
-_M_PER_DEG: Final = 111_320.0
 # Web Mercator ends here.
 _HIGHEST_LATITUDE_DEG: Final = 85.0511
 # Distances are those of a plane at each tile: a little more is taken, never less.
@@ -86,13 +86,13 @@ class Area:
         longitude_deg = (column + 0.5) / count * 360 - 180
         latitude_deg, upper_deg = _latitude_deg((row + 0.5) / count), _latitude_deg(row / count)
         # In metres from the tile's centre.
-        wide = _M_PER_DEG * np.cos(np.radians(latitude_deg))
-        ax, ay = (a[1] - longitude_deg) * wide, (a[0] - latitude_deg) * _M_PER_DEG
-        bx, by = (b[1] - longitude_deg) * wide, (b[0] - latitude_deg) * _M_PER_DEG
+        wide = M_PER_DEG * np.cos(np.radians(latitude_deg))
+        ax, ay = (a[1] - longitude_deg) * wide, (a[0] - latitude_deg) * M_PER_DEG
+        bx, by = (b[1] - longitude_deg) * wide, (b[0] - latitude_deg) * M_PER_DEG
         dx, dy = bx - ax, by - ay
         along = np.clip(-(ax * dx + ay * dy) / np.maximum(dx * dx + dy * dy, 1e-9), 0.0, 1.0)
         distance_m = np.hypot(ax + along * dx, ay + along * dy)
-        half_m = np.hypot(wide * 180.0 / count, (upper_deg - latitude_deg) * _M_PER_DEG)
+        half_m = np.hypot(wide * 180.0 / count, (upper_deg - latitude_deg) * M_PER_DEG)
         touched = distance_m <= (self.radius_m + half_m) * _MARGIN
         places: Places = np.unique(np.stack([column[touched] % count, row[touched]], axis=1), axis=0).astype(np.int64)
         return places
@@ -122,7 +122,7 @@ def _unwrapped(points: tuple[tuple[float, float], ...]) -> list[tuple[float, flo
 
 def _around(a: tuple[float, float], b: tuple[float, float], radius_m: float) -> tuple[float, float, float, float]:
     """South, north, west, east of the rectangle around a leg and its surroundings."""
-    up_deg = radius_m * _MARGIN / _M_PER_DEG
+    up_deg = radius_m * _MARGIN / M_PER_DEG
     limit = _HIGHEST_LATITUDE_DEG
     south_deg, north_deg = max(-limit, min(a[0], b[0]) - up_deg), min(limit, max(a[0], b[0]) + up_deg)
     aside_deg = min(180.0, up_deg / math.cos(math.radians(max(abs(south_deg), abs(north_deg)))))

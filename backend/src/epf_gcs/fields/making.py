@@ -18,6 +18,7 @@ from rasterio.merge import merge
 from rasterio.transform import from_origin
 from rasterio.windows import Window
 
+from epf_gcs.earth import M_PER_DEG
 from epf_gcs.errors import ConflictError
 from epf_gcs.fields.order import Order, Part, Place
 from epf_gcs.fields.part_file import PartFile
@@ -29,7 +30,6 @@ _RELIEF_OF_DEGREES_ZOOM: Final = 12
 _SIDE: Final = 256
 _UNKNOWN_M: Final = -32768.0
 _EARTH_M: Final = 20037508.342789244
-_M_PER_DEG: Final = 111_320.0
 # Light from the north-west, halfway up, as on paper maps.
 _LIGHT: Final = np.array([-0.5, 0.5, math.sqrt(0.5)])
 _TINT_M: Final = (0.0, 100.0, 400.0, 900.0, 1600.0, 2500.0, 4000.0)
@@ -200,7 +200,7 @@ def _relief_tile(heights: Heights, zoom: int, column: int, row: int) -> bytes | 
     inner = heights_m[1:-1, 1:-1]
     if not inner.any():
         return None
-    step_m = step_deg * _M_PER_DEG * np.cos(np.radians(latitude_deg[1:-1]))[:, np.newaxis]
+    step_m = step_deg * M_PER_DEG * np.cos(np.radians(latitude_deg[1:-1]))[:, np.newaxis]
     east = (heights_m[1:-1, 2:] - heights_m[1:-1, :-2]) / (2 * step_m)
     north = (heights_m[:-2, 1:-1] - heights_m[2:, 1:-1]) / (2 * step_m)
     light = (-east * _LIGHT[0] - north * _LIGHT[1] + _LIGHT[2]) / np.sqrt(east**2 + north**2 + 1.0)

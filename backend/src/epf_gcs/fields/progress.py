@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import time
 from collections import deque
 from collections.abc import Callable
@@ -11,6 +10,7 @@ from typing import Any, Final
 from epf_gcs.errors import GatewayError
 from epf_gcs.fields.order import Kind, Order, estimate, made_bytes, mean_bytes
 from epf_gcs.fields.part_file import Arrived, PartFile
+from epf_gcs.repeating import repeat
 
 _TELL_EVERY_S: Final = 0.25
 _RATE_OVER_S: Final = 20.0
@@ -51,9 +51,7 @@ class Progress:
 
     async def run(self) -> None:
         """Tell it again and again, until cancelled."""
-        while True:
-            self.tell()
-            await asyncio.sleep(_TELL_EVERY_S)
+        await repeat(_TELL_EVERY_S, "the progress of a field", self.tell, at_once=True)
 
     def tell(self, *, now: bool = False) -> None:
         """Say it, unless that was a moment ago."""

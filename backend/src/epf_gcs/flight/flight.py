@@ -52,7 +52,7 @@ from epf_gcs.flight.state.line_rates import LineRates
 from epf_gcs.flight.state.lines import Lines, LinkOpener
 from epf_gcs.flight.state.status import StatusSources, build_status
 from epf_gcs.flight.state.watch import Watch
-from epf_gcs.kept_alive import keep_alive, log_and_count_failures
+from epf_gcs.repeating import Repeating, keep_alive, log_and_count_failures
 from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.restart import Restart
@@ -67,7 +67,7 @@ class Flight:
         self._loop = asyncio.get_running_loop()
         self._data_dir = data_dir
         self._board_url = board_url
-        self._status_due = False
+        self._sending = Repeating(self._loop, "the status", self._send_status)
 
         self.clock = LineClock()
         self.outlet = NotedBroadcast(self.clock)
@@ -285,9 +285,7 @@ class Flight:
 
     def changed(self) -> None:
         """Send the status now, not at the next half-second tick."""
-        if not self._status_due:
-            self._status_due = True
-            self._loop.call_soon(self._send_status)
+        self._sending.arm()
 
     def _hello(self) -> dict[str, Any]:
         holder = self.stick.last_holder
@@ -300,7 +298,6 @@ class Flight:
         }
 
     def _send_status(self) -> None:
-        self._status_due = False
         if self.outlet.has_listeners:
             self.outlet.status(self.status())
 

@@ -16,15 +16,15 @@ from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
+from epf_gcs.units import M_PER_FT
 from epf_gcs.vehicle.noted import gains_of, identity_of
 
 _NS: Final = 1e-9
-_FT_PER_M: Final = 1 / 0.3048
 # Altitudes for the ground of the time bar, the one that fits best first, with the factor to feet.
 _ALTITUDES: Final = (
     ("simulator", "altitude_msl_ft", 1.0),
-    ("gps", "altitude_m", _FT_PER_M),
-    ("analog", "altitude_m", _FT_PER_M),
+    ("gps", "altitude_m", 1 / M_PER_FT),
+    ("analog", "altitude_m", 1 / M_PER_FT),
 )
 _POINT: Final = np.dtype([("t_ms", "<u4"), ("latitude_e7", "<i4"), ("longitude_e7", "<i4"), ("altitude_mm", "<i4")])
 _MOST_POINTS: Final = 720_000
@@ -143,7 +143,7 @@ def silence(flight: FlightData, periods: PeriodCache) -> list[list[float]]:
 def track(flight: FlightData, source: str, most_points: int | None) -> bytes:
     """The flown track as the page's globe reads it: header and points of `formats.track_points`."""
     topic, altitude, factor = (
-        ("gps", "altitude_m", 1.0) if source == "flight" else ("simulator", "altitude_msl_ft", 1 / _FT_PER_M)
+        ("gps", "altitude_m", 1.0) if source == "flight" else ("simulator", "altitude_msl_ft", M_PER_FT)
     )
     columns: list[Array] = []
     if topic in {span.name for span in flight.topics()}:

@@ -16,6 +16,7 @@ from epf_gcs.errors import InvalidInputError
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache, split_name
 from epf_gcs.flights.signals import Array, longest_step_s
+from epf_gcs.units import M_PER_FT, MPS_PER_KT
 
 _RECORDED: Final = r"[A-Za-z0-9_]+\.[A-Za-z0-9_]+"
 _ONE: Final = rf"(?:{_RECORDED}|rate\({_RECORDED}\)|(?:diff|error)\({_RECORDED},{_RECORDED}\))"
@@ -23,10 +24,10 @@ _ARGUMENTS: Final = re.compile(r"(rate|diff|error)\((.*)\)")
 _ANGLE: Final = "deg"
 # One of the first in the second.
 _FACTORS: Final = {
-    ("m", "ft"): 0.3048,
-    ("ft", "m"): 1 / 0.3048,
-    ("kt", "m/s"): 3600 / 1852,
-    ("m/s", "kt"): 1852 / 3600,
+    ("m", "ft"): M_PER_FT,
+    ("ft", "m"): 1 / M_PER_FT,
+    ("kt", "m/s"): 1 / MPS_PER_KT,
+    ("m/s", "kt"): MPS_PER_KT,
     ("deg", "rad"): 180 / np.pi,
     ("rad", "deg"): np.pi / 180,
 }

@@ -16,6 +16,7 @@ from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import SUMMARY, Stamp
+from epf_gcs.units import M_PER_FT, M_PER_NM
 from epf_gcs.vehicle.noted import identity_of
 
 VERSION: Final = 1
@@ -23,15 +24,13 @@ VERSION: Final = 1
 
 # Less is not worth another time in the list.
 _CLOCK_OFF_S: Final = 2.0
-_FT_PER_M: Final = 1 / 0.3048
-_M_PER_NM: Final = 1852.0
 _LONGEST_STEP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
 _LEAST_JUMP_M: Final = 100.0
 _TRACK_POINTS: Final = 120
 _ALTITUDES: Final = 80
 # Where an aircraft's place comes from: the simulator's in a HIL flight, else the receiver's.
-_PLACES: Final = (("simulator", "altitude_msl_ft", 1.0), ("gps", "altitude_m", _FT_PER_M))
+_PLACES: Final = (("simulator", "altitude_msl_ft", 1.0), ("gps", "altitude_m", 1 / M_PER_FT))
 _SPEEDS: Final = (("simulator", "indicated_airspeed_kt"), ("analog", "calibrated_airspeed_kt"), ("gps", "speed_kt"))
 
 
@@ -119,7 +118,7 @@ def _distance_nm(t_s: Array, latitude_deg: Array, longitude_deg: Array) -> float
     step_m = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(latitude_deg[:-1])))
     elapsed_s = np.diff(t_s)
     flown = (elapsed_s <= _LONGEST_STEP_S) & (step_m <= np.maximum(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s))
-    return round(float(step_m[flown].sum()) / _M_PER_NM, 2)
+    return round(float(step_m[flown].sum()) / M_PER_NM, 2)
 
 
 def _thumbnail(

@@ -22,10 +22,10 @@ from epf_gcs.formats.mission_file import (
 )
 from epf_gcs.formats.plan_altitudes import is_admissible
 from epf_gcs.formats.sheet_number import plain_decimal, readings
-from epf_gcs.formats.units import ft_from_m, kt_from_m_s
+from epf_gcs.units import ft_from_m, kt_from_mps
 
 _COLUMNS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
-_METRIC: Final = {"altitude_m": ("altitude_ft", ft_from_m), "speed_m_s": ("speed_kt", kt_from_m_s)}
+_METRIC: Final = {"altitude_m": ("altitude_ft", ft_from_m), "speed_m_s": ("speed_kt", kt_from_mps)}
 _NEEDED: Final = ("latitude_deg", "longitude_deg")
 
 

@@ -16,8 +16,8 @@ from epf_gcs.errors import ErrorCode, InvalidInputError, Params
 from epf_gcs.formats.kml import coordinates, document, kml_bytes
 from epf_gcs.formats.mission_file import FileFault
 from epf_gcs.formats.recognise import unpacked_kml
-from epf_gcs.formats.units import m_from_ft
 from epf_gcs.formats.xml_tree import add, child_text, decimal, every, local, parse_xml, plain
+from epf_gcs.units import m_from_ft
 
 FenceFormat = Literal["kml", "plan"]
 FenceNoteCode = Literal["circle_cornered", "exclusions_skipped", "shapes_skipped"]

@@ -7,8 +7,8 @@ from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats.mission_file import FilePlan, Note, Place, Point, number
-from epf_gcs.formats.units import ft_from_m, m_from_ft
 from epf_gcs.formats.xml_tree import EPF, GPX, add, child, child_text, decimal, every, local, plain, xml_bytes
+from epf_gcs.units import ft_from_m, m_from_ft
 
 
 def write_gpx(name: str, waypoints: Sequence[Waypoint]) -> bytes:

@@ -7,8 +7,8 @@ from typing import Final
 from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.formats.units import m_from_ft
 from epf_gcs.formats.xml_tree import KML, add, decimal, plain, xml_bytes
+from epf_gcs.units import m_from_ft
 
 MEDIA_TYPE: Final = "application/vnd.google-earth.kml+xml"
 SPEED_DATA: Final = "speed_kt"

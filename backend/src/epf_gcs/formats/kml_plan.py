@@ -22,8 +22,8 @@ from epf_gcs.formats.mission_file import (
     number,
     place_params,
 )
-from epf_gcs.formats.units import ft_from_m
 from epf_gcs.formats.xml_tree import child, child_text, every, local
+from epf_gcs.units import ft_from_m
 
 _COMMA: Final = re.compile(r"\s*,\s*")  # "lon, lat, alt" is wrong, and common
 

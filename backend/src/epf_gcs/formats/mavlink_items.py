@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any, Final, TypeGuard
 
 from epf_gcs.formats.mission_file import FileFault, Frame, Note, Place, Point, frame_fault, not_a_number, place_params
-from epf_gcs.formats.units import ft_from_m, kt_from_m_s
+from epf_gcs.units import ft_from_m, kt_from_mps
 
 WAYPOINT: Final = 16
 """MAV_CMD: fly to a position."""
@@ -67,7 +67,7 @@ class ItemReader:
         speed_m_s = _number(parameters, 1, "speed", place)
         # -1 leaves the speed unchanged; any other negative value means the vehicle's default, which we do not know.
         if speed_m_s >= 0:
-            self._speed_kt = kt_from_m_s(speed_m_s)
+            self._speed_kt = kt_from_mps(speed_m_s)
         elif speed_m_s != -1:
             self._speed_kt = None
 

@@ -10,7 +10,7 @@ import orjson
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats.mavlink_items import ABOVE_SEA, CHANGE_SPEED, WAYPOINT, WAYPOINTS, ItemReader
 from epf_gcs.formats.mission_file import FileFault, FilePlan, Place, place_params
-from epf_gcs.formats.units import m_from_ft, m_s_from_kt
+from epf_gcs.units import m_from_ft, mps_from_kt
 
 # MAV_FRAME of a command without a position.
 _COMMAND_FRAME: Final = 2
@@ -31,7 +31,7 @@ def write_plan(waypoints: Sequence[Waypoint]) -> bytes:
     for waypoint in waypoints:
         if waypoint.speed_kt != speed_kt:
             speed_kt = waypoint.speed_kt
-            speed = [0, m_s_from_kt(speed_kt), -1, 0, 0, 0, 0]
+            speed = [0, mps_from_kt(speed_kt), -1, 0, 0, 0, 0]
             items.append(_item(CHANGE_SPEED, _COMMAND_FRAME, speed, len(items) + 1))
         altitude_m = m_from_ft(waypoint.altitude_ft)
         position = [0, 0, 0, None, waypoint.latitude_deg, waypoint.longitude_deg, altitude_m]
@@ -43,7 +43,7 @@ def write_plan(waypoints: Sequence[Waypoint]) -> bytes:
         "geoFence": {"circles": [], "polygons": [], "version": 2},
         "groundStation": "EPF GCS",
         "mission": {
-            "cruiseSpeed": m_s_from_kt(first.speed_kt),
+            "cruiseSpeed": mps_from_kt(first.speed_kt),
             "firmwareType": _GENERIC_AUTOPILOT,
             "globalPlanAltitudeMode": _ABSOLUTE_MODE,
             "hoverSpeed": _HOVER_SPEED_M_S,

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from epf_gcs.earth import RADIUS_M
 from epf_gcs.formats.mission_file import Point
-from epf_gcs.formats.units import m_from_ft
+from epf_gcs.units import m_from_ft
 
 # Nearer than this nobody needs another waypoint: it is what a GPS scatters.
 _NEAR_ENOUGH_M: Final = 5.0

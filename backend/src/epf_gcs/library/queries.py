@@ -15,6 +15,7 @@ import structlog
 
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, NotFoundError
 from epf_gcs.extras import FLIGHTS
+from epf_gcs.repeating import repeat
 from epf_gcs.workers.asked_process import AskedProcess
 from epf_gcs.workers.missing import require
 
@@ -58,11 +59,12 @@ class Queries:
 
     async def run(self) -> None:
         """End the program when a question is overdue or nobody asks, forever."""
-        while True:
-            await asyncio.sleep(_LOOK_EVERY_S)
-            self._process.end_if_late()
-            if self._process.is_running and self._loop.time() - self._asked_s > self._idle_s:
-                await self._loop.run_in_executor(self._thread, self._process.end)
+        await repeat(_LOOK_EVERY_S, "questions about flights", self._look)
+
+    async def _look(self) -> None:
+        self._process.end_if_late()
+        if self._process.is_running and self._loop.time() - self._asked_s > self._idle_s:
+            await self._loop.run_in_executor(self._thread, self._process.end)
 
     async def close(self) -> None:
         """End the program."""

@@ -8,11 +8,11 @@ from time import monotonic
 from typing import Final
 
 from epf_gcs.errors import LinkError
-from epf_gcs.kept_alive import failed_in
 from epf_gcs.link.base import Device, LinkCallbacks, Tap
 from epf_gcs.link.failures import lost_error
 from epf_gcs.link.read_budget import ReadBudget
 from epf_gcs.link.unbroken import Unbroken
+from epf_gcs.repeating import Repeating
 
 # More than a second of the fastest line; older data would be useless to the board.
 _MAX_PENDING_BYTES: Final = 131072
@@ -48,29 +48,29 @@ class DescriptorLink:
     def __init__(self, device: Device, now_s: Callable[[], float] = monotonic) -> None:
         self._now_s = now_s
         self._budget = ReadBudget(now_s())
-        self._pause: asyncio.TimerHandle | None = None
+        self._loop = asyncio.get_running_loop()
+        self._pause = Repeating(self._loop, "a line held back", self._read_on)
         self.held_back = 0
         """How many times reading was paused because more came than is read."""
         self._device = device
         self._on_bytes: Callable[[bytes], None] = _nobody
         self._on_lost: Callable[[LinkError], None] = _nobody
         self._tap: Tap | None = None
-        self._loop = asyncio.get_running_loop()
         self._pending = bytearray()
         self._closed = False
         self._callbacks = LinkCallbacks(_nobody, _nobody)
         self._wait_for = device.wait_for
         self._awaited = 1
         self._has_read = False
-        self._patience: asyncio.TimerHandle | None = None
+        self._patience = Repeating(self._loop, "the end of an awaited frame", self._look_for_silence, _PATIENCE_S)
         self._unbroken = Unbroken(device.baud) if device.is_serial else None
         self._rest_s = min(_REST_S, _REST_BYTES * 10.0 / device.baud)
         # Since when the bytes are counted that tell whether the line has a gap, and how many came.
         self._counted_from_s = 0.0
         self._count = 0
         self._awake_until_s = 0.0
-        self._rest: asyncio.TimerHandle | None = None
-        self._is_delivering = False
+        # What cannot be taken costs itself alone: the line is read on.
+        self._rest = Repeating(self._loop, "the bytes of a line", self._look_late, self._rest_s)
 
     def start(self, callbacks: LinkCallbacks) -> None:
         """Begin to read; bytes that came before wait in the operating system's buffer."""
@@ -94,8 +94,8 @@ class DescriptorLink:
 
     def deliver(self) -> None:
         """Deliver at once what came during a rest."""
-        if self._rest is not None and not self._is_delivering:
-            self._look_late()
+        if self._rest.is_armed:
+            self._rest.run_now()
 
     def write(self, data: bytes) -> bool:
         """Write at once what the system takes and queue the rest; False if the whole of it does not fit."""
@@ -131,8 +131,7 @@ class DescriptorLink:
         self._loop.remove_reader(self._device.fd)
         self._loop.remove_writer(self._device.fd)
         for timer in (self._patience, self._rest, self._pause):
-            if timer is not None:
-                timer.cancel()
+            timer.stop()
         self._device.close()
 
     def _readable(self) -> None:
@@ -148,7 +147,7 @@ class DescriptorLink:
             self._hold_back(pause_s)
         elif self._unbroken is not None and self._may_rest(self._unbroken, len(data)):
             self._loop.remove_reader(self._device.fd)
-            self._rest = self._loop.call_later(self._rest_s, self._look_late)
+            self._rest.arm(self._rest_s)
         elif self._wait_for is not None:
             self._await_rest(self._wait_for)
 
@@ -156,10 +155,9 @@ class DescriptorLink:
         if not self._closed:
             self.held_back += 1
             self._loop.remove_reader(self._device.fd)
-            self._pause = self._loop.call_later(pause_s, self._read_on)
+            self._pause.arm(pause_s)
 
     def _read_on(self) -> None:
-        self._pause = None
         self._loop.add_reader(self._device.fd, self._readable)
 
     def _read(self) -> bytes:
@@ -186,40 +184,30 @@ class DescriptorLink:
         self._counted_from_s, self._count = now_s, 0
         return was_unbroken and not self._closed and now_s > self._awake_until_s and self._callbacks.may_wait()
 
-    def _look_late(self) -> None:
+    def _look_late(self) -> float | None:
         """Read after a rest and deliver with the time of each frame; go on resting if nothing speaks against it."""
-        unbroken, rest = self._unbroken, self._rest
-        if unbroken is None or rest is None:
-            return
+        unbroken = self._unbroken
+        if unbroken is None:
+            return None
         now_s = monotonic()
         lasted_s = now_s - self._counted_from_s
         data = self._read()
-        if self._closed:
-            return
-        self._is_delivering = True
-        try:
-            with self._callbacks.together():
-                self._deliver(data, unbroken, lasted_s)
-        except Exception as error:  # noqa: BLE001 - told to the loop
-            # What cannot be taken costs itself alone: the line is read on.
-            failed_in("the bytes of a line", error)
-        finally:
-            self._is_delivering = False
-        is_open = not self._closed
-        rest.cancel()
-        self._rest = None
-        if not is_open:
-            return
         self._counted_from_s, self._count = now_s, 0
+        if self._closed:
+            return None
+        with self._callbacks.together():
+            self._deliver(data, unbroken, lasted_s)
+        is_open = not self._closed
+        if not is_open:
+            return None
         if unbroken.holds(len(data), lasted_s) and now_s > self._awake_until_s and self._callbacks.may_wait():
             # On a fixed grid, so that the mean rate is exact; after a pause it starts anew.
             now_s = self._loop.time()
-            when_s = max(min(rest.when(), now_s) + self._rest_s, now_s + 0.5 * self._rest_s)
-            self._rest = self._loop.call_at(when_s, self._look_late)
-            return
+            return max(min(self._rest.due_s, now_s) + self._rest_s, now_s + 0.5 * self._rest_s) - now_s
         self._loop.add_reader(self._device.fd, self._readable)
         if self._wait_for is not None:
             self._await_rest(self._wait_for)
+        return None
 
     def _wake_up(self) -> None:
         """Something is written: what came before is delivered, and so recorded, before it, and no answer waits."""
@@ -246,19 +234,17 @@ class DescriptorLink:
             return
         self._awaited = awaited
         wait_for(awaited)
-        if self._patience is None:
-            self._patience = self._loop.call_later(_PATIENCE_S, self._look_for_silence)
+        self._patience.arm(_PATIENCE_S)
 
-    def _look_for_silence(self) -> None:
+    def _look_for_silence(self) -> float | None:
         """If nothing was read since the last look, stop waiting and read what is there: the rest may never come."""
-        self._patience = None
         if self._awaited == 1:
-            return
+            return None
         if self._has_read:
             self._has_read = False
-            self._patience = self._loop.call_later(_PATIENCE_S, self._look_for_silence)
-            return
+            return _PATIENCE_S
         self._await_any()
+        return None
 
     def _await_any(self) -> None:
         self._awaited = 1

@@ -16,11 +16,13 @@ import sys
 import time
 from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final
 
 from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Tap
 from epf_gcs.link.failures import link_error
+from epf_gcs.repeating import Repeating
 from epf_gcs.system.sockets import receive_with_notes
 
 # All rows that a simulator has are 5 kB.
@@ -157,7 +159,9 @@ class UdpLink:
         self._ear_heard = False
         self._may_have_ear = True
         self._dropped = dict.fromkeys(doors, 0)
-        self._pauses: dict[int, asyncio.TimerHandle] = {}
+        self._pauses = {
+            family: Repeating(self._loop, "a port held back", partial(self._resume, family)) for family in doors
+        }
         self.send_failures = 0
         for family, door in doors.items():
             self._loop.add_reader(door.fileno(), self._look_at_door, family)
@@ -194,7 +198,7 @@ class UdpLink:
         self._closed = True
         self._drop_ear()
         for pause in self._pauses.values():
-            pause.cancel()
+            pause.stop()
         for door in self._doors.values():
             self._loop.remove_reader(door.fileno())
             door.close()
@@ -297,7 +301,7 @@ class UdpLink:
     def _pause(self, family: int) -> None:
         """Stop reading the door for a moment: only strangers send there, the simulator has its own socket."""
         self._loop.remove_reader(self._doors[family].fileno())
-        self._pauses[family] = self._loop.call_later(_DOOR_PAUSE_S, self._resume, family)
+        self._pauses[family].arm(_DOOR_PAUSE_S)
 
     def _resume(self, family: int) -> None:
         self._loop.add_reader(self._doors[family].fileno(), self._look_at_door, family)

@@ -17,12 +17,19 @@ from rasterio.windows import Window
 
 from epf_gcs.maps import faults
 from epf_gcs.maps.layer import Bounds
+from epf_gcs.units import M_PER_FT
 
 # Allow no other drivers: some of the library's follow references to other files and hosts.
 _DRIVERS: Final = {".hgt": "SRTMHGT"}
 _OTHER_DRIVER: Final = "GTiff"
 _EARTH: Final = "EPSG:4326"
-_M_PER_UNIT: Final = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 / 3937, "us survey foot": 1200 / 3937}
+_M_PER_UNIT: Final = {
+    "ft": M_PER_FT,
+    "foot": M_PER_FT,
+    "feet": M_PER_FT,
+    "us-ft": 1200 / 3937,
+    "us survey foot": 1200 / 3937,
+}
 _PLACE_IN_NAME: Final = re.compile(r"[NS]\d\d[EW]\d{3}", re.IGNORECASE)
 _QUOTED_PATH: Final = re.compile(r"^'[^']*'\s*")
 # Margin, as a share of the size: a projected edge bends beyond the points that the bounds are calculated from.

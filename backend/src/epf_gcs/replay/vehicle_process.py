@@ -13,6 +13,7 @@ from typing import Final
 import structlog
 
 from epf_gcs.bus.address import Listener
+from epf_gcs.repeating import Repeating
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.timeline import Timeline
@@ -34,7 +35,7 @@ class VehicleProcess:
         self._timeline = Timeline(recording)
         self._keys: Keys | None = None
         self._scout: Scout | None = None
-        self._spare: asyncio.Handle | None = None
+        self._spare: Repeating | None = None
         self._viewings: set[Viewing] = set()
         self._asked: asyncio.Queue[tuple[Path, float]] = asyncio.Queue()
 
@@ -50,6 +51,7 @@ class VehicleProcess:
             self._timeline.look()
         keys = self._keys = Keys(self._keys_file, self._flight, self._timeline.starts_ns)
         self._scout = Scout(self._timeline, keys)
+        self._spare = Repeating(asyncio.get_running_loop(), "the scout of a replay", self._work, after_failure_s=1.0)
         try:
             async with asyncio.TaskGroup() as tasks:
                 while True:
@@ -63,7 +65,7 @@ class VehicleProcess:
     def close(self) -> None:
         """Let the file of key frames go."""
         if self._spare is not None:
-            self._spare.cancel()
+            self._spare.stop()
         if self._keys is not None:
             self._keys.close()
 
@@ -84,20 +86,18 @@ class VehicleProcess:
             self._timeline.readers = len(self._viewings) + 1
 
     def _look_for_work(self) -> None:
-        if self._spare is None and self._scout is not None and self._scout.has_work:
-            self._spare = asyncio.get_running_loop().call_soon(self._work)
+        if self._spare is not None and self._scout is not None and self._scout.has_work:
+            self._spare.arm()
 
-    def _work(self) -> None:
+    def _work(self) -> float | None:
         """A slice of the scout's work, if no viewer waits for a turn."""
-        scout, loop = self._scout, asyncio.get_running_loop()
-        self._spare = None
+        scout = self._scout
         if scout is None or not scout.has_work or not self._viewings:
-            return
+            return None
         wait_s = min(viewing.due_s for viewing in self._viewings) - monotonic()
         if wait_s <= _SPARE_S:
-            self._spare = loop.call_later(_SPARE_S, self._work)
-            return
+            return _SPARE_S
         if scout.work():
             for viewing in self._viewings:
                 viewing.keys_came()
-        self._spare = loop.call_soon(self._work)
+        return 0.0

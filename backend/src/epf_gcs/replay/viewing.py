@@ -12,6 +12,7 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Broadcast, Handler, VehicleEnd
+from epf_gcs.repeating import Repeating
 from epf_gcs.replay.answers import build_inspector, build_known
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.player import Player
@@ -29,7 +30,7 @@ class Viewing:
         self._timeline = timeline
         self._flight = flight
         self._on_turn = on_turn
-        self._timer: asyncio.Handle | None = None
+        self._turns = Repeating(asyncio.get_running_loop(), "a turn of a replay", self._turn)
         self._gone = asyncio.Event()
         self._fault: Exception | None = None
         self._broadcast = Broadcast(self._now_s)
@@ -58,8 +59,7 @@ class Viewing:
             await self._gone.wait()
         finally:
             serving.cancel()
-            if self._timer is not None:
-                self._timer.cancel()
+            self._turns.stop()
         if self._fault is not None:
             raise self._fault
 
@@ -68,29 +68,23 @@ class Viewing:
         self._player.keys_came(monotonic())
         self._hurry()
 
-    def _turn(self) -> None:
-        """One turn of the player; arms the timer of the next."""
-        loop = asyncio.get_running_loop()
+    def _turn(self) -> float | None:
+        """One turn of the player; returns in how many seconds the next is due."""
         now_s = monotonic()
         try:
             wait_s = self._player.turn(now_s)
         except Exception as fault:  # noqa: BLE001 - else the viewer has a picture that stands still for ever
             self._fault = fault
             self._gone.set()
-            return
+            return None
         self.due_s = now_s + wait_s
-        if wait_s <= 0.0:
-            self._timer = loop.call_soon(self._turn)
-        else:
-            self._timer = loop.call_later(min(wait_s, _REST_S), self._turn)
         self._on_turn()
+        return min(wait_s, _REST_S)
 
     def _hurry(self) -> None:
         """Something was asked: the next turn comes at once."""
-        if self._timer is not None:
-            self._timer.cancel()
         self.due_s = 0.0
-        self._timer = asyncio.get_running_loop().call_soon(self._turn)
+        self._turns.hurry()
 
     def _now_s(self) -> float:
         return self._player.head.clock.now_s()

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Final
 
+from epf_gcs.earth import M_PER_DEG
+from epf_gcs.units import M_PER_FT, MPS_PER_KT
+
 # Gran Canaria (GCLP), reference point and elevation. The runway's direction is that of the Gando
 # route's last legs, 27.9045 N 15.4041 W to 27.9319 N 15.3866 W.
 AIRPORT_LATITUDE_DEG: Final = 27.9319
@@ -12,9 +15,8 @@ AIRPORT_LONGITUDE_DEG: Final = -15.3866
 AIRPORT_ELEVATION_FT: Final = 78.0
 RUNWAY_HEADING_DEG: Final = 29.4
 
-FT_PER_M: Final = 1.0 / 0.3048
-FT_S_PER_KT: Final = 1852.0 / 3600.0 * FT_PER_M
-_METRES_PER_DEGREE: Final = 111_132.0
+FT_PER_M: Final = 1.0 / M_PER_FT
+FT_S_PER_KT: Final = MPS_PER_KT * FT_PER_M
 
 AIR_ALTITUDE_FT: Final = 1000.0
 FINAL_PATH_DEG: Final = -3.0
@@ -77,8 +79,8 @@ class Situation:
         east_m = -FINAL_DISTANCE_M * math.sin(angle)
         shrink = math.cos(math.radians(self.latitude_deg))
         return (
-            self.latitude_deg + north_m / _METRES_PER_DEGREE,
-            self.longitude_deg + east_m / (_METRES_PER_DEGREE * shrink),
+            self.latitude_deg + north_m / M_PER_DEG,
+            self.longitude_deg + east_m / (M_PER_DEG * shrink),
         )
 
 

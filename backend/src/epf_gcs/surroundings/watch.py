@@ -10,19 +10,19 @@ from typing import Any, Final, Literal, Protocol
 import numpy as np
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.formats.units import ft_from_m, m_from_ft
+from epf_gcs.repeating import repeat
 from epf_gcs.surroundings.aircraft import AircraftSurroundings, Seen, Wanted
 from epf_gcs.surroundings.choice import SurroundingsChange, crossing
 from epf_gcs.surroundings.ground import Ground, Tiles
 from epf_gcs.surroundings.kept import OFF, KeptSurroundings
 from epf_gcs.surroundings.motion import Fix
 from epf_gcs.surroundings.threats import Threat
+from epf_gcs.units import ft_from_m, m_from_ft, mps_from_kt
 from epf_gcs.vehicle.outside import Values
 
 NOTICE: Final = "surroundings"
 _TICK_S: Final = 0.2
 _LOOK_S: Final = 0.5
-_MPS_PER_KT: Final = 1852.0 / 3600.0
 _PATH_EVERY: Final = 5
 
 Which = Literal["flight", "hil"]
@@ -130,12 +130,15 @@ class Surroundings:
     async def _repeat(self) -> None:
         loop = asyncio.get_running_loop()
         due_s = loop.time()
-        while True:
-            await asyncio.sleep(_TICK_S)
+
+        def tick() -> None:
+            nonlocal due_s
             self.gather()
             if loop.time() >= due_s:
                 due_s = loop.time() + _LOOK_S
                 self.look()
+
+        await repeat(_TICK_S, "the watch over ground and fence", tick)
 
     def _watched(self) -> list[str]:
         if self._is_unknown:
@@ -180,7 +183,7 @@ def _gps_fix(gps: Values | None, t_s: float | None) -> Fix | None:
     moving = _numbers(gps, "speed_kt", "heading_deg")
     if moving is None:
         return Fix(t_s, place[0], place[1], place[2])
-    speed_mps, track = moving[0] * _MPS_PER_KT, math.radians(moving[1])
+    speed_mps, track = mps_from_kt(moving[0]), math.radians(moving[1])
     return Fix(t_s, place[0], place[1], place[2], speed_mps * math.sin(track), speed_mps * math.cos(track))
 
 

@@ -14,6 +14,7 @@ import structlog
 from cryptography.hazmat.primitives import serialization
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.repeating import repeat
 from epf_gcs.tls.certificates import addresses_of, fingerprint_of, names_of
 from epf_gcs.tls.context import make_context
 from epf_gcs.tls.source import Found, Source
@@ -81,9 +82,7 @@ class Keeper:
 
     async def keep(self) -> None:
         """Look every minute, forever."""
-        while True:
-            await self.look()
-            await asyncio.sleep(LOOK_EVERY_S)
+        await repeat(LOOK_EVERY_S, "the certificate", self.look, at_once=True)
 
     async def look(self) -> None:
         """Take a new certificate into use if there is one; else keep the old one, and say what is wrong."""

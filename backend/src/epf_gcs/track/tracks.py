@@ -12,9 +12,10 @@ from typing import Any, Final, Protocol
 from epf_gcs.clock import Clock
 from epf_gcs.contract.events import Say
 from epf_gcs.errors import ConflictError, GatewayError
-from epf_gcs.formats.units import m_from_ft
+from epf_gcs.repeating import repeat
 from epf_gcs.track.kept import KeptTrack
 from epf_gcs.track.track import Attitude, Position, Track
+from epf_gcs.units import m_from_ft
 from epf_gcs.vehicle.outside import Values
 
 _AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
@@ -69,9 +70,7 @@ class Tracks:
     async def run(self) -> None:
         """Load the saved tracks of the last hours, then save new points once a second, forever."""
         await self._load()
-        while True:
-            await asyncio.sleep(_SAVE_S)
-            await self._save()
+        await repeat(_SAVE_S, "saving the track", self._save)
 
     async def close(self) -> None:
         """Save the last points."""

@@ -10,6 +10,9 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
+from epf_gcs import earth
+from epf_gcs.units import M_PER_FT, MPS_PER_KT
+
 # Over the sea, 2 km east of the runway of GCLP.
 CENTRE_LATITUDE_DEG: Final = 27.9319
 CENTRE_LONGITUDE_DEG: Final = -15.3660
@@ -21,15 +24,12 @@ TEMPERATURE_DEGC: Final = 19.0
 WAYPOINTS: Final = 4
 
 _G_M_S2: Final = 9.80665
-_M_S_PER_KT: Final = 1852.0 / 3600.0
-_M_PER_FT: Final = 0.3048
-_EARTH_RADIUS_M: Final = 6371000.0
 _SWELL_FT: Final = 80.0
 _SWELL_PERIOD_S: Final = 50.0
 # The earth's field there: the needle points 38 degrees down.
 _DIP: Final = math.radians(38.0)
 
-_SPEED_M_S: Final = SPEED_KT * _M_S_PER_KT
+_SPEED_M_S: Final = SPEED_KT * MPS_PER_KT
 RADIUS_M: Final = _SPEED_M_S**2 / (_G_M_S2 * math.tan(math.radians(BANK_DEG)))
 TURN_RATE_RAD_S: Final = _SPEED_M_S / RADIUS_M
 
@@ -50,7 +50,7 @@ class ExampleMoment:
     @property
     def altitude_m(self) -> float:
         """Above mean sea level."""
-        return self.altitude_ft * _M_PER_FT
+        return self.altitude_ft * M_PER_FT
 
     @property
     def rates_rad_s(self) -> tuple[float, float, float]:
@@ -113,13 +113,13 @@ def moment(t_s: float) -> ExampleMoment:
     north, east = RADIUS_M * math.sin(heading), -RADIUS_M * math.cos(heading)
     swell = 2.0 * math.pi / _SWELL_PERIOD_S
     climb_ft_s = _SWELL_FT * swell * math.cos(swell * t_s)
-    climb_angle_deg = math.degrees(math.asin(climb_ft_s * _M_PER_FT / _SPEED_M_S))
-    latitude_deg = CENTRE_LATITUDE_DEG + math.degrees(north / _EARTH_RADIUS_M)
+    climb_angle_deg = math.degrees(math.asin(climb_ft_s * M_PER_FT / _SPEED_M_S))
+    latitude_deg = CENTRE_LATITUDE_DEG + math.degrees(north / earth.RADIUS_M)
     return ExampleMoment(
         t_s=t_s,
         latitude_deg=latitude_deg,
         longitude_deg=CENTRE_LONGITUDE_DEG
-        + math.degrees(east / (_EARTH_RADIUS_M * math.cos(math.radians(CENTRE_LATITUDE_DEG)))),
+        + math.degrees(east / (earth.RADIUS_M * math.cos(math.radians(CENTRE_LATITUDE_DEG)))),
         altitude_ft=MEAN_ALTITUDE_FT + _SWELL_FT * math.sin(swell * t_s),
         vvi_ft_min=60.0 * climb_ft_s,
         heading_deg=math.degrees(heading) % 360.0,

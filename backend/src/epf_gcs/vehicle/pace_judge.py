@@ -8,13 +8,13 @@ from statistics import median
 from typing import Any, Final
 
 from epf_gcs.earth import distance_m
+from epf_gcs.units import mps_from_kt
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.xplane.mapping import row_meaning
 
 SPEED_ROW: Final = 3
 POSITION_ROW: Final = 20
 
-_M_S_PER_KT: Final = 1852.0 / 3600.0
 # A stretch lasts at least a second, so that the jitter of the datagrams' times is a few percent of it, and ten metres,
 # for a position far from Greenwich moves in steps of almost one.
 _SHORTEST_S: Final = 1.0
@@ -64,7 +64,7 @@ class PaceJudge:
         if speed_kt is None or latitude_deg is None or longitude_deg is None:
             self._before = None
             return
-        self._go_on(t_s, latitude_deg, longitude_deg, speed_kt * _M_S_PER_KT)
+        self._go_on(t_s, latitude_deg, longitude_deg, mps_from_kt(speed_kt))
 
     def look(self, now_s: float) -> Finding | None:
         """Whether the simulator's time runs otherwise than the clock at Unix time `now_s`."""

@@ -13,6 +13,7 @@ from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.earth import distance_m
+from epf_gcs.units import M_PER_FT, MPS_PER_KT
 from epf_gcs.xplane.datagram import Eight
 from epf_gcs.xplane.mapping import in_our_unit, row_meaning
 
@@ -32,8 +33,6 @@ _FLYING_KT: Final = 20.0
 _JUMP_M: Final = 500.0
 # Of ground speed or climb to the indicated airspeed, in wind and up high.
 _FASTEST_RATIO: Final = 2.0
-_M_S_PER_KT: Final = 0.514444
-_M_PER_FT: Final = 0.3048
 # Of jumps that follow each other at once, one is told in this time.
 _QUIET_S: Final = 1.0
 
@@ -158,8 +157,8 @@ class SimulatorMotion:
     def _judge_jump(self, before: tuple[float, float, float, float], now: tuple[float, float, float, float]) -> None:
         t_s, to = now[0], Place(*now[1:])
         along_m = distance_m(*before[1:3], *now[1:3])
-        way_m = math.hypot(along_m, (now[3] - before[3]) * _M_PER_FT)
-        flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * _M_S_PER_KT * max(0.0, t_s - before[0])
+        way_m = math.hypot(along_m, (now[3] - before[3]) * M_PER_FT)
+        flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * MPS_PER_KT * max(0.0, t_s - before[0])
         if way_m > _JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
             self._jumped_s = t_s
             if self.on_jump is not None:

@@ -15,8 +15,8 @@ import uvicorn
 from uvicorn.server import ServerState
 
 from epf_gcs.data_folder.whereabouts import Whereabouts, leave, take_back
-from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
+from epf_gcs.repeating import keep_alive
 from epf_gcs.system.limits import raise_open_files
 from epf_gcs.tls.keeper import Keeper
 from epf_gcs.watchdog import feed

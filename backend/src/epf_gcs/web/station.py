@@ -21,7 +21,6 @@ from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.fields.fields import Fields
-from epf_gcs.kept_alive import keep_alive, log_and_count_failures
 from epf_gcs.library.aircraft import AircraftName
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.imports import FlightImports
@@ -30,6 +29,7 @@ from epf_gcs.library.policy import PolicyChoice
 from epf_gcs.library.queries import Queries
 from epf_gcs.maps.maps import Maps
 from epf_gcs.recordings.places import Places
+from epf_gcs.repeating import keep_alive, log_and_count_failures, repeat
 from epf_gcs.surroundings.kept import KeptSurroundings
 from epf_gcs.surroundings.watch import Surroundings
 from epf_gcs.track.tracks import Tracks
@@ -164,10 +164,11 @@ class Station:
 
     async def _repeat(self) -> None:
         """Without the flight process send the status ourselves, so that viewers see the ages grow."""
-        while True:
-            await asyncio.sleep(_STATUS_S)
-            if not self.mirror.is_here:
-                self.status.changed()
+        await repeat(_STATUS_S, "the status without a flight process", self._tell_alone)
+
+    def _tell_alone(self) -> None:
+        if not self.mirror.is_here:
+            self.status.changed()
 
     def _growing(self) -> str | None:
         """The id of the flight that is being recorded."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter
-from collections.abc import Callable
 from typing import Any, cast
 
 import pytest
@@ -18,6 +17,7 @@ from epf_gcs.link.base import LinkCallbacks
 from epf_gcs.vehicle.example_flight import moment
 from epf_gcs.xplane.datagram import Record, parse
 from epf_gcs.xplane.mapping import surfaces_from_servos_in
+from tests.support.held_loop import HeldLoop
 
 pytestmark = pytest.mark.anyio
 
@@ -25,41 +25,11 @@ pytestmark = pytest.mark.anyio
 START_S = 0.3
 
 
-class Timer:
-    """What was put off."""
-
-    def __init__(self) -> None:
-        self.is_off = False
-
-    def cancel(self) -> None:
-        self.is_off = True
-
-
-class Loop:
-    """An event loop whose time the test says; of what is to come later it keeps the newest."""
-
-    def __init__(self) -> None:
-        self.now_s = START_S
-        self.due_s = 0.0
-        self.timer = Timer()
-        self.next: Callable[[], None] = lambda: None
-
-    def time(self) -> float:
-        return self.now_s
-
-    def call_soon(self, call: Callable[[], None]) -> Timer:
-        return self.call_at(self.now_s, call)
-
-    def call_at(self, due_s: float, call: Callable[[], None]) -> Timer:
-        self.due_s, self.next, self.timer = due_s, call, Timer()
-        return self.timer
-
-
 class Examples:
     """The link on that loop, and what came of it in each step."""
 
     def __init__(self) -> None:
-        self.loop = Loop()
+        self.loop = HeldLoop(START_S)
         self.values: dict[str, dict[str, Any]] = {}
         self.counts: Counter[str] = Counter()
         self.chunks = 0
@@ -72,10 +42,7 @@ class Examples:
 
     def step(self, late_s: float = 0.0) -> float:
         """Let what is due happen; returns how long after the start it was due, in seconds."""
-        due_s = self.loop.due_s
-        self.loop.now_s = due_s + late_s
-        self.loop.next()
-        return round(due_s - START_S, 6)
+        return round(self.loop.step(late_s) - START_S, 6)
 
     def until(self, t_s: float) -> None:
         while self.step() < t_s:
@@ -212,8 +179,7 @@ async def test_the_link_that_is_closed_sends_nothing_more() -> None:
     examples.step()
     before = examples.counts.copy()
     examples.link.close()
-    assert examples.loop.timer.is_off
-    examples.step()
+    assert not examples.loop.due
     assert examples.counts == before
 
 
@@ -224,7 +190,7 @@ async def test_it_says_who_it_is_since_when_and_the_default_gains() -> None:
     assert examples.link.write(encode_command("ahrs_on"))
     assert "capabilities" not in examples.values
     assert examples.link.write(encode_command("capabilities"))
-    examples.loop.next()
+    examples.loop.run_until(examples.loop.now_s)
     told = examples.values["capabilities"]
     assert (told["firmware_name"], told["firmware_version"], told["uptime_ms"]) == ("emulation", "examples", 2500)
     assert told["protocol_version"] == 1

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import pytest
 import structlog
 
+from epf_gcs import repeating
 from epf_gcs.flight.clock.clock_watch import ClockWatch
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
@@ -111,7 +112,7 @@ async def test_alarms_are_looked_at_ten_times_a_second(tmp_path: Path, monkeypat
         pauses_s.append(lasts_s)
         await asyncio.sleep(0.0)
 
-    monkeypatch.setattr(housekeeping, "asyncio", SimpleNamespace(sleep=pause))
+    monkeypatch.setattr(repeating, "asyncio", SimpleNamespace(sleep=pause))
     async with kept.running():
         await kept.for_ticks(7)
     assert set(pauses_s) == {0.1}

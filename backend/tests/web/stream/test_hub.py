@@ -10,6 +10,7 @@ import pytest
 
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.viewer import MAX_UNDER_WAY, Viewer
+from tests.support.held_loop import HeldLoop
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -224,33 +225,8 @@ async def test_a_value_that_is_no_data_is_null(hub: Hub) -> None:
     assert screen.values("ahrs") == [None]
 
 
-class BeatenLoop:
-    """The event loop's clock and timers, as a test says: the hub needs no more of it."""
-
-    def __init__(self) -> None:
-        self.now_s = 0.0
-        self.timers: list[tuple[float, Any, tuple[Any, ...]]] = []
-
-    def time(self) -> float:
-        return self.now_s
-
-    def call_at(self, when_s: float, call: Any, *arguments: Any) -> None:
-        self.timers.append((when_s, call, arguments))
-
-    def call_soon(self, call: Any, *arguments: Any) -> None:
-        self.call_at(self.now_s, call, *arguments)
-
-    def run_until(self, until_s: float) -> None:
-        while self.timers and min(self.timers, key=lambda timer: timer[0])[0] <= until_s:
-            timer = min(self.timers, key=lambda one: one[0])
-            self.timers.remove(timer)
-            self.now_s = max(self.now_s, timer[0])
-            timer[1](*timer[2])
-        self.now_s = until_s
-
-
 def test_a_viewer_s_beat_moves_to_that_of_the_samples_and_is_not_faster() -> None:
-    loop = BeatenLoop()
+    loop = HeldLoop()
     hub = Hub(loop, loop.time)  # type: ignore[arg-type]
     screen = a_screen(hub)
     sent_s: list[float] = []

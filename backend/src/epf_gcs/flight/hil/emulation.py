@@ -16,6 +16,7 @@ from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS, NO_VALUE, PARAMETERS, TELEMETRY_BY_NAME, VALUES_PER_ROW, XPLANE_ROWS
 from epf_gcs.link.address import DEFAULT_BAUD
 from epf_gcs.link.base import LinkCallbacks
+from epf_gcs.repeating import Repeating
 from epf_gcs.vehicle.example_flight import (
     ALPHA_DEG,
     MEAN_ALTITUDE_FT,
@@ -47,7 +48,7 @@ class EmulationLink:
         self._on_datagram = on_datagram
         self._callbacks: LinkCallbacks | None = None
         self._commands = FrameDecoder(TO_BOARD)
-        self._timer: asyncio.Handle | None = None
+        self._steps: Repeating | None = None
         self._started_s = 0.0
         self._last_ms = -1
         self._next_ms = 0
@@ -66,7 +67,8 @@ class EmulationLink:
         """Start sending frames and datagrams."""
         self._callbacks = callbacks
         self._started_s = self._loop.time()
-        self._timer = self._loop.call_soon(self._step)
+        self._steps = Repeating(self._loop, "the emulated board", self._step, after_failure_s=_SERVOS_MS / 1000.0)
+        self._steps.arm()
 
     def deliver(self) -> None:
         """Nothing waits here."""
@@ -81,8 +83,8 @@ class EmulationLink:
     def close(self) -> None:
         """Stop sending."""
         self._callbacks = None
-        if self._timer is not None:
-            self._timer.cancel()
+        if self._steps is not None:
+            self._steps.stop()
 
     def _answer_capabilities(self) -> None:
         """Send the board's identity and the default gains."""
@@ -95,19 +97,17 @@ class EmulationLink:
             ),
         )
 
-    def _step(self) -> None:
-        """Send everything due in one period of the fastest task."""
-        if self._callbacks is None:
-            return
+    def _step(self) -> float:
+        """Send everything due in one period of the fastest task; returns in how many seconds the next is due."""
         t_ms = self._next_ms
         now = moment(t_ms / 1000.0)
         due = [frames for period_ms, frames in _TASKS if t_ms // period_ms != self._last_ms // period_ms]
-        self._bring(*(encode_telemetry(name, *values) for frames in due for name, values in frames(now)))
-        self._on_datagram(simulator_datagram(now))
         # After a stall of the event loop go on from now: do not send the missed periods.
         elapsed_ms = int(1000.0 * (self._loop.time() - self._started_s))
         self._last_ms, self._next_ms = t_ms, max(t_ms, elapsed_ms // _SERVOS_MS * _SERVOS_MS) + _SERVOS_MS
-        self._timer = self._loop.call_at(self._started_s + self._next_ms / 1000.0, self._step)
+        self._bring(*(encode_telemetry(name, *values) for frames in due for name, values in frames(now)))
+        self._on_datagram(simulator_datagram(now))
+        return self._started_s + self._next_ms / 1000.0 - self._loop.time()
 
     def _bring(self, *frames: bytes) -> None:
         if self._callbacks is not None and frames:

@@ -19,6 +19,7 @@ from epf_gcs.codec.values import single
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.udp import UdpLink
+from epf_gcs.repeating import Repeating
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import Finding
@@ -44,14 +45,13 @@ class Hil:
     """Takes datagrams and the board's urgent frames. `path` says who moves the simulator's surfaces."""
 
     def __init__(self, vehicle: Vehicle, clock: Clock, stick: Stick) -> None:
-        self._loop = asyncio.get_running_loop()
         self._board: Board = vehicle.board
         self._telemetry: Telemetry = vehicle.telemetry
         self._samples: SimulatorSamples = vehicle.simulator
         self._clock = clock
         self.stick = stick
         self._unshown: deque[Reading] = deque(maxlen=_MOST_UNSHOWN)
-        self._show_due = False
+        self._showing = Repeating(asyncio.get_running_loop(), "a frame of the simulator", self._show)
         # At the newest frame that was shown: the HIL path does not compute it.
         self._was_paused = False
         self.path: Path = "manual"
@@ -153,9 +153,7 @@ class Hil:
             self._act_on(info, now_s)
             reading = reading._replace(info=info)
         self._unshown.append(reading)
-        if not self._show_due:
-            self._show_due = True
-            self._loop.call_soon(self._show)
+        self._showing.arm()
         return True
 
     def on_urgent(self, frame: Frame) -> None:
@@ -212,7 +210,6 @@ class Hil:
 
     def _show(self) -> None:
         """Send the samples to the viewers, after the control frame has left."""
-        self._show_due = False
         while self._unshown:
             self._samples.show(self._unshown.popleft())
         self._was_paused = self.is_paused

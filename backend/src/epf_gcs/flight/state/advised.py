@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
+from epf_gcs.repeating import repeat
 from epf_gcs.vehicle.outside import Outlet
 
 _EVERY_S: Final = 10.0
@@ -30,13 +31,14 @@ class AdviceWatch:
 
     async def run(self) -> None:
         """Look forever."""
-        while True:
-            await asyncio.sleep(_EVERY_S)
-            # Copied here, calculated in a thread: the HIL loop does not wait.
-            snapshot = take_snapshot(self._sources)
-            found = await asyncio.to_thread(build_inspector, snapshot)
-            for one in self.new_of(found["advice"]):
-                self._outlet.event("advice", one)
+        await repeat(_EVERY_S, "advice", self._look)
+
+    async def _look(self) -> None:
+        # Copied here, calculated in a thread: the HIL loop does not wait.
+        snapshot = take_snapshot(self._sources)
+        found = await asyncio.to_thread(build_inspector, snapshot)
+        for one in self.new_of(found["advice"]):
+            self._outlet.event("advice", one)
 
     def new_of(self, found: Sequence[Told]) -> list[Told]:
         """What was not advised in the last minute; each is {"code", "level", "text", "params"}."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final
@@ -16,6 +15,7 @@ from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.memory.flight_log import FlightLog
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.state.line_rates import LineRates
+from epf_gcs.repeating import repeat
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Outlet
@@ -58,24 +58,25 @@ class Housekeeping:
         self._clock_watch = clock_watch
         self._on_change = on_change
         self._recording: Path | None = None
+        self._ticks = 0
 
     async def run(self) -> None:
         """Do all of it periodically, forever."""
-        ticks = 0
-        while True:
-            await asyncio.sleep(_TICK_S)
-            self._board.tick()
-            self._ahrs_test.tick()
-            self._stick.tick()
-            ticks += 1
-            if ticks % _STATUS_EVERY_TICKS == 0:
-                self._rates.note(self._clock.steady_s(), self._board, self._simulator)
-                self.log_links()
-                self._clock_watch.look()
-                self._on_change()
-            if self._alarms.look(self._clock.now_s()):
-                self._on_change()
-            self._watch_recording()
+        await repeat(_TICK_S, "housekeeping", self._tick)
+
+    def _tick(self) -> None:
+        self._ticks += 1
+        self._board.tick()
+        self._ahrs_test.tick()
+        self._stick.tick()
+        if self._ticks % _STATUS_EVERY_TICKS == 0:
+            self._rates.note(self._clock.steady_s(), self._board, self._simulator)
+            self.log_links()
+            self._clock_watch.look()
+            self._on_change()
+        if self._alarms.look(self._clock.now_s()):
+            self._on_change()
+        self._watch_recording()
 
     def log_links(self) -> None:
         """Pass the state of both links to the log, which writes only changes."""

@@ -21,10 +21,10 @@ from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.export.spread import Rows, Times, spread
 from epf_gcs.flights.export.stretch import ROWS, Stretch, times_of
 from epf_gcs.formats.samples import Samples
+from epf_gcs.units import M_PER_FT
 
 Source = Literal["flight", "hil"]
 
-_M_PER_FT: Final = 0.3048
 # As for the track that is drawn live: see `track/track.py`.
 _LONGEST_GAP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
@@ -53,7 +53,7 @@ _WHERE: Final[dict[Source, _Where]] = {
     "hil": _Where(
         "simulator",
         ("latitude_deg", "longitude_deg", "altitude_msl_ft"),
-        _M_PER_FT,
+        M_PER_FT,
         "simulator",
         ("true_heading_deg", "pitch_deg", "roll_deg"),
     ),

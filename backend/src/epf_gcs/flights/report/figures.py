@@ -12,6 +12,7 @@ from epf_gcs.flights.report.manoeuvres import Series
 from epf_gcs.flights.report.sources import first_of, plan_signals, read
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
+from epf_gcs.units import M_PER_FT
 from epf_gcs.vehicle.round_trip import RoundTrip
 
 _NS: Final = 1e-9
@@ -27,8 +28,8 @@ _SPEED: Final = (
 )
 _ALTITUDE: Final = (
     ("simulator", "altitude_msl_ft", 1.0),
-    ("gps", "altitude_m", 1 / 0.3048),
-    ("analog", "altitude_m", 1 / 0.3048),
+    ("gps", "altitude_m", 1 / M_PER_FT),
+    ("analog", "altitude_m", 1 / M_PER_FT),
 )
 
 Figures = dict[str, Any]

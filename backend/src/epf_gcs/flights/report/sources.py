@@ -9,10 +9,10 @@ import numpy as np
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.manoeuvres import Loop, Series, stretches
+from epf_gcs.units import M_PER_FT
 
 Plan = Literal["flight", "hil"]
 
-_FT_PER_M: Final = 1 / 0.3048
 Signal = tuple[str, str, float]
 """Topic, field and factor."""
 
@@ -24,7 +24,7 @@ _ACTUAL: Final[dict[Plan, dict[Loop, tuple[Signal, ...]]]] = {
         "speed": (("simulator", "indicated_airspeed_kt", 1.0),),
     },
     "flight": {
-        "altitude": (("analog", "altitude_m", _FT_PER_M), ("gps", "altitude_m", _FT_PER_M)),
+        "altitude": (("analog", "altitude_m", 1 / M_PER_FT), ("gps", "altitude_m", 1 / M_PER_FT)),
         "heading": (("gps", "heading_deg", 1.0), ("ahrs", "yaw_deg", 1.0)),
         "speed": (("analog", "calibrated_airspeed_kt", 1.0), ("gps", "speed_kt", 1.0)),
     },

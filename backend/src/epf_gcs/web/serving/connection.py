@@ -16,6 +16,7 @@ from epf_gcs.access.admission import Admission
 from epf_gcs.access.caller import Caller, Peer, Shown
 from epf_gcs.access.limits import CallerLimits
 from epf_gcs.errors import GatewayError
+from epf_gcs.repeating import repeat
 from epf_gcs.web.serving.access_table import STREAMS
 from epf_gcs.web.serving.guard import admitted
 from epf_gcs.web.serving.problems import problem_of
@@ -255,9 +256,11 @@ class Connection(HttpToolsProtocol):
 async def watch(visitors: Visitors, every_s: float) -> None:
     """Check the limits of all connections every `every_s`, forever."""
     loop = asyncio.get_running_loop()
-    while True:
-        await asyncio.sleep(every_s)
+
+    def look() -> None:
         now_s = loop.time()
         for visitor in tuple(visitors):
             if isinstance(visitor, Connection):
                 visitor.look(now_s)
+
+    await repeat(every_s, "the limits of connections", look)

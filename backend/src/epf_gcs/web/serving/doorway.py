@@ -17,6 +17,7 @@ from typing import Any, Final
 
 import structlog
 
+from epf_gcs.repeating import Repeating
 from epf_gcs.web.serving.handshakes import Handshakes
 from epf_gcs.web.serving.visitors import Visitor, Visitors
 
@@ -57,12 +58,14 @@ class Doorway:
         self._listener = listener
         self._arrivals: dict[Arrival, None] = {}
         self._is_open = True
+        self._pause = Repeating(self.loop, "the listening socket", self._accept_again)
         self.loop.add_reader(listener, self._accept)
 
     def close(self) -> None:
         """Accept no more, and end the connections that are not handed over yet."""
         if self._is_open:
             self._is_open = False
+            self._pause.stop()
             self.loop.remove_reader(self._listener)
             for arrival in tuple(self._arrivals):
                 arrival.make_room()
@@ -86,13 +89,12 @@ class Doorway:
                     raise
                 log.warning("no connection can be accepted", reason=error.strerror)
                 self.loop.remove_reader(self._listener)
-                self.loop.call_later(_PAUSE_S, self._accept_again)
+                self._pause.arm(_PAUSE_S)
                 return
             self._let_in(connection, peer)
 
     def _accept_again(self) -> None:
-        if self._is_open:
-            self.loop.add_reader(self._listener, self._accept)
+        self.loop.add_reader(self._listener, self._accept)
 
     def _let_in(self, connection: socket.socket, peer: Any) -> None:
         connection.setblocking(False)

@@ -12,6 +12,7 @@ import orjson
 from epf_gcs import __version__
 from epf_gcs.access.control import Control
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.repeating import Repeating
 from epf_gcs.web.stream.hub import Hub
 
 
@@ -26,13 +27,12 @@ class WholeStatus:
         hub: Hub,
         around: Callable[[], dict[str, Any]],
     ) -> None:
-        self._loop = asyncio.get_running_loop()
         self._flight = flight
         self._control = control
         self._errors = errors
         self._hub = hub
         self._around = around
-        self._due = False
+        self._sending = Repeating(asyncio.get_running_loop(), "the status", self._send)
         # Samples of the stick that did not count: their page has no control.
         self.strange_samples = 0
 
@@ -59,11 +59,8 @@ class WholeStatus:
 
     def changed(self) -> None:
         """Send the status to the viewers in the next turn of the loop, once for all changes until then."""
-        if not self._due:
-            self._due = True
-            self._loop.call_soon(self._send)
+        self._sending.arm()
 
     def _send(self) -> None:
-        self._due = False
         if self._hub.viewers:
             self._hub.status(b'{"type":"status","data":%b}' % self.text())

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 import orjson
 
-from epf_gcs.kept_alive import failed_in
+from epf_gcs.repeating import Repeating, report_failure
 from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.viewer import Viewer
 
@@ -28,12 +28,12 @@ _TOWARDS: Final = 0.1
 class _Pacer:
     """All viewers with the same rate: their batches are sent together, at most `rate_hz` times a second."""
 
-    def __init__(self, rate_hz: int) -> None:
+    def __init__(self, loop: asyncio.AbstractEventLoop, rate_hz: int, on_due: Callable[[_Pacer], None]) -> None:
         self.rate_hz = rate_hz
         self.period_s = 1.0 / rate_hz
         self.viewers: list[Viewer] = []
         self.due_s = 0.0
-        self.armed = False
+        self.timer = Repeating(loop, "a batch for viewers", lambda: on_due(self))
 
 
 class Hub:
@@ -58,7 +58,7 @@ class Hub:
         self._pacers: dict[int, _Pacer] = {}
         self._every_sample: list[Viewer] = []
         self._queue: deque[Viewer] = deque()
-        self._turn_due = False
+        self._turns = Repeating(loop, "the stream's queue", self._turn, after_failure_s=0.0)
 
     @property
     def viewers(self) -> list[Viewer]:
@@ -72,13 +72,12 @@ class Hub:
         if self._pacers:
             now = self._loop.time()
             for pacer in self._pacers.values():
-                if pacer.armed:
+                if pacer.timer.is_armed:
                     continue
                 if now >= pacer.due_s - _EARLY * pacer.period_s:
                     self._release(pacer, now)
                 else:
-                    pacer.armed = True
-                    self._loop.call_at(pacer.due_s, self._timer, pacer)
+                    pacer.timer.arm(pacer.due_s - now)
 
     def event(self, kind: str, data: Mapping[str, Any], /) -> None:
         """Send an event of the web process to every viewer."""
@@ -103,7 +102,7 @@ class Hub:
     def add(self, viewer: Viewer) -> None:
         """Add a viewer; it gets the newest sample of every topic first."""
         if viewer.rate_hz:
-            self._pacers.setdefault(viewer.rate_hz, _Pacer(viewer.rate_hz)).viewers.append(viewer)
+            self._pacer(viewer.rate_hz).viewers.append(viewer)
         else:
             self._every_sample.append(viewer)
             self.state.keep_all = True
@@ -116,6 +115,7 @@ class Hub:
         if pacer is not None and viewer in pacer.viewers:
             pacer.viewers.remove(viewer)
             if not pacer.viewers:
+                pacer.timer.stop()
                 del self._pacers[viewer.rate_hz]
         elif viewer in self._every_sample:
             self._every_sample.remove(viewer)
@@ -134,9 +134,7 @@ class Hub:
         if not viewer.queued:
             viewer.queued = True
             self._queue.append(viewer)
-        if not self._turn_due:
-            self._turn_due = True
-            self._loop.call_soon(self._turn)
+        self._turns.arm()
 
     def _choose_rate(self) -> None:
         rate_hz = 0 if self._every_sample else max((_LEAST_HZ, *self._pacers))
@@ -144,8 +142,12 @@ class Hub:
             self.rate_hz = rate_hz
             self._on_rate(rate_hz)
 
-    def _timer(self, pacer: _Pacer) -> None:
-        pacer.armed = False
+    def _pacer(self, rate_hz: int) -> _Pacer:
+        if rate_hz not in self._pacers:
+            self._pacers[rate_hz] = _Pacer(self._loop, rate_hz, self._on_due)
+        return self._pacers[rate_hz]
+
+    def _on_due(self, pacer: _Pacer) -> None:
         self._release(pacer, self._loop.time())
         if pacer.rate_hz == self.rate_hz:
             # Samples come gathered at this very rate. When both beats agree, they are passed on without this timer.
@@ -170,13 +172,11 @@ class Hub:
             viewer.flush()
         except Exception as error:  # noqa: BLE001 - told to the loop
             self.remove(viewer)
-            failed_in("a viewer of the stream", error)
+            report_failure(self._loop, "a viewer of the stream", error)
 
-    def _turn(self) -> None:
+    def _turn(self) -> float | None:
         for _ in range(min(_VIEWERS_PER_TURN, len(self._queue))):
             viewer = self._queue.popleft()
             viewer.queued = False
             self._flush(viewer)
-        self._turn_due = bool(self._queue)
-        if self._turn_due:
-            self._loop.call_soon(self._turn)
+        return 0.0 if self._queue else None

@@ -23,6 +23,7 @@ from websockets.utils import apply_mask
 
 from epf_gcs.access.allowance import Allowance
 from epf_gcs.access.caller import Caller
+from epf_gcs.repeating import Repeating
 from epf_gcs.web.stream.handshake import Refusal, address_parts, only_value
 
 _MAX_MESSAGE_BYTES: Final = 16384
@@ -84,7 +85,8 @@ class SocketConnection(asyncio.Protocol):
         self._fd = -1
         self._is_open = False
         self._conversation: Conversation | None = None
-        self._keepalive: asyncio.TimerHandle | None = None
+        self._keepalive = Repeating(self._loop, "the keepalive of a stream", self._check_alive, _KEEPALIVE_S)
+        self._working = Repeating(self._loop, "the messages of a stream", self._work_on, 0.0)
         self._answered = True
         self._fragments: list[bytes] = []
         # What comes next begins a frame. False for good once the protocol got a part of one.
@@ -122,7 +124,7 @@ class SocketConnection(asyncio.Protocol):
         self._is_aligned = False
         if self._transport is not None and not self._pending and not self._transport.is_closing():
             self._transport.pause_reading()
-            self._loop.call_soon(self._work_on)
+            self._working.arm()
         self._pending += data
 
     def eof_received(self) -> bool:
@@ -135,8 +137,7 @@ class SocketConnection(asyncio.Protocol):
     def connection_lost(self, exc: Exception | None) -> None:
         """Nothing more can be sent."""
         self._connections.discard(cast(Any, self))
-        if self._keepalive is not None:
-            self._keepalive.cancel()
+        self._keepalive.stop()
         conversation, self._conversation = self._conversation, None
         self._is_open = False
         self._transport = None
@@ -232,20 +233,21 @@ class SocketConnection(asyncio.Protocol):
             self._is_aligned = is_control and len(rest) == _SHORT_HEAD_BYTES + rest[1] - _MASKED
         return rest
 
-    def _work_on(self) -> None:
+    def _work_on(self) -> float | None:
         """Handle one turn's share of the pending bytes; the rest waits for the loop's next turn."""
         transport = self._transport
         piece, self._pending = self._pending[:BYTES_PER_TURN], self._pending[BYTES_PER_TURN:]
-        if transport is None or not piece:
-            return
-        self._protocol.receive_data(piece)
-        self._work()
+        if transport is None:
+            return None
+        if piece:
+            self._protocol.receive_data(piece)
+            self._work()
         if transport.is_closing():
-            return
+            return None
         if self._pending:
-            self._loop.call_soon(self._work_on)
-        else:  # also after giving up: later bytes are discarded
-            transport.resume_reading()
+            return 0.0
+        transport.resume_reading()  # also after giving up: later bytes are discarded
+        return None
 
     def _work(self) -> None:
         for event in self._protocol.events_received():
@@ -294,7 +296,7 @@ class SocketConnection(asyncio.Protocol):
         is_tls = transport.get_extra_info("sslcontext") is not None
         self._fd = -1 if is_tls else transport.get_extra_info("socket").fileno()
         self.heard = 0  # the handshake is the browser's, and says nothing of its page
-        self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
+        self._keepalive.arm(_KEEPALIVE_S)
         self._endpoint.opened(conversation)
 
     def _take_frame(self, frame: Frame) -> None:
@@ -320,16 +322,16 @@ class SocketConnection(asyncio.Protocol):
         if self._transport is not None:
             self._loop.call_later(_LAST_WORDS_S, self._transport.abort)
 
-    def _check_alive(self) -> None:
+    def _check_alive(self) -> float | None:
         """Close the connection if nothing arrived since the last ping; else ping again."""
         if self._transport is None:
-            return
+            return None
         if not self._answered:
             self._transport.abort()
-            return
+            return None
         self._answered = False
         self.ping()
-        self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
+        return _KEEPALIVE_S
 
 
 def _nothing() -> None:

@@ -7,7 +7,7 @@ from typing import Any, Final, Literal
 
 from epf_gcs.formats.kml_live import Aircraft
 from epf_gcs.formats.kml_words import Words
-from epf_gcs.formats.units import ft_from_m, m_from_ft
+from epf_gcs.units import ft_from_m, m_from_ft
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
