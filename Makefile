@@ -131,8 +131,9 @@ check-workflows: $(DONE)/venv-publish ## what the forge reads (workflows, update
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
 	@$(MAKE) --no-print-directory -C firmware images
 
-generate: $(DONE)/venv $(DONE)/frontend ## write every generated file again from protocol/definition
+generate: $(DONE)/venv-dev $(DONE)/frontend ## write every generated file again: from protocol/definition, the interface, the magnetic model
 	cd protocol && ../$(BIN)/python -m generator
+	$(BIN)/python firmware/tools/magnetic_model.py
 	$(BIN)/python -m epf_gcs.web --print-openapi > $(DONE)/openapi.json
 	cd frontend && npm run --silent generate -- ../$(DONE)/openapi.json
 
@@ -163,6 +164,7 @@ check: setup ## format, lint, types, import rules, generated files up to date
 
 check-generated: $(DONE)/venv-dev $(DONE)/frontend
 	cd protocol && ../$(BIN)/python -m generator --check
+	$(BIN)/python firmware/tools/magnetic_model.py --check
 	$(BIN)/python -m epf_gcs.web --print-openapi > $(DONE)/openapi.json
 	cd frontend && npm run --silent generate:check -- ../$(DONE)/openapi.json
 	$(BIN)/python .ci/one_version.py .

@@ -8,7 +8,7 @@ from typing import Final, Self
 
 from board_tests.closed_loop.closed_loop import LIBRARY, Sample
 from board_tests.closed_loop.figures import rms
-from board_tests.closed_loop.sensors import DECLINATION_DEG, Samples, SensorModel
+from board_tests.closed_loop.sensors import Samples, SensorModel
 from epf_gcs.simulator.state import FlightState
 
 GYRO, ACCELEROMETER, MAGNETOMETER, STATIC_PRESSURE, PITOT = SENSORS = tuple(range(5))
@@ -70,8 +70,9 @@ class Estimator:
         assert LIBRARY.exists(), f"{LIBRARY} is missing: build it with `make -C firmware flight-lib`"
         library = ctypes.CDLL(str(LIBRARY))
         library.epf_estimation_new.restype = ctypes.c_void_p
-        library.epf_estimation_new.argtypes = (ctypes.c_float,)
+        library.epf_estimation_new.argtypes = ()
         library.epf_estimation_free.argtypes = (ctypes.c_void_p,)
+        library.epf_estimation_locate.argtypes = (ctypes.c_void_p, ctypes.c_float, ctypes.c_float)
         library.epf_estimation_step.argtypes = (
             ctypes.c_void_p,
             ctypes.POINTER(_EstimatorSamples),
@@ -81,7 +82,7 @@ class Estimator:
         library.epf_estimation_refused.restype = ctypes.c_uint32
         library.epf_estimation_refused.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
         self._library = library
-        self._estimator = library.epf_estimation_new(DECLINATION_DEG)
+        self._estimator = library.epf_estimation_new()
         self._estimate = _Estimate()
 
     def __enter__(self) -> Self:
@@ -89,6 +90,10 @@ class Estimator:
 
     def __exit__(self, *_: object) -> None:
         self._library.epf_estimation_free(self._estimator)
+
+    def locate(self, latitude_deg: float, longitude_deg: float) -> None:
+        """Say where the aircraft is, as its GPS does."""
+        self._library.epf_estimation_locate(self._estimator, latitude_deg, longitude_deg)
 
     def step(self, samples: Samples, dt_s: float, silent: Collection[int] = ()) -> None:
         """Take one sample of every sensor that is not silent."""
@@ -160,6 +165,7 @@ def estimate_flight(flight: Sequence[Sample], seed: int, gap: Gap = NO_GAP) -> t
                         samples.static_pa,
                         samples.pitot_pa,
                     )
+            estimator.locate(sample.state.latitude_deg, sample.state.longitude_deg)
             estimator.step(samples, dt_s, silent)
             if number * dt_s >= ALIGNED_AFTER_S:
                 errors.append(estimator.error(sample.state, sample.time_s))

@@ -7,14 +7,16 @@ import math
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from random import Random
 from typing import Final
 
+from pygeomag import GeoMag
+
 from epf_gcs.simulator.state import FlightState
 
-# The earth's magnetic field at Gran Canaria, of length 1.
-DECLINATION_DEG: Final = -4.0
-INCLINATION_DEG: Final = 38.0
+# The year that the board's table of the magnetic field holds for.
+FIELD_YEAR: Final = 2027.5
 
 _GRAVITY_M_S2: Final = 9.80665
 _M_PER_FT: Final = 0.3048
@@ -36,6 +38,8 @@ _PITOT_NOISE_PA: Final = 4.0
 
 _WARM_AFTER_S: Final = 180.0
 _DELAY_FRAMES: Final = 1
+
+_MODEL: Final = GeoMag(coefficients_file="wmm/WMM_2025.COF")
 
 Vector = tuple[float, float, float]
 
@@ -93,12 +97,23 @@ class SensorModel:
         return x, y, z
 
 
+@cache
+def _unit_field(latitude_deg: float, longitude_deg: float) -> Vector:
+    """North, east and down, of length 1, at sea level."""
+    strength = reference_field_nt(latitude_deg, longitude_deg)
+    length = math.hypot(*strength)
+    return strength[0] / length, strength[1] / length, strength[2] / length
+
+
+def reference_field_nt(latitude_deg: float, longitude_deg: float) -> Vector:
+    """North, east and down at sea level, by an implementation of the World Magnetic Model that is not the board's."""
+    result = _MODEL.calculate(glat=latitude_deg, glon=longitude_deg, alt=0.0, time=FIELD_YEAR)
+    return result.x, result.y, result.z
+
+
 def field(state: FlightState) -> Vector:
     """The earth's magnetic field in body axes."""
-    declination, inclination = math.radians(DECLINATION_DEG), math.radians(INCLINATION_DEG)
-    north = math.cos(inclination) * math.cos(declination)
-    east = math.cos(inclination) * math.sin(declination)
-    down = math.sin(inclination)
+    north, east, down = _unit_field(round(state.latitude_deg, 1), round(state.longitude_deg, 1))
     yaw, pitch, roll = (math.radians(angle) for angle in (state.heading_deg, state.pitch_deg, state.roll_deg))
     ahead = math.cos(yaw) * north + math.sin(yaw) * east
     aside = -math.sin(yaw) * north + math.cos(yaw) * east

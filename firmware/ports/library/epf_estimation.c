@@ -2,12 +2,12 @@
 
 #include <stdlib.h>
 
-estimator_t* epf_estimation_new(float declination_deg)
+estimator_t* epf_estimation_new(void)
 {
     estimator_t* const estimator = malloc(sizeof *estimator);
     if (estimator != NULL)
     {
-        estimator_init(estimator, declination_deg);
+        estimator_init(estimator);
     }
     return estimator;
 }
@@ -15,6 +15,11 @@ estimator_t* epf_estimation_new(float declination_deg)
 void epf_estimation_free(estimator_t* estimator)
 {
     free(estimator);
+}
+
+void epf_estimation_locate(estimator_t* estimator, float latitude_deg, float longitude_deg)
+{
+    estimator_locate(estimator, latitude_deg, longitude_deg);
 }
 
 void epf_estimation_step(estimator_t* estimator, const estimator_samples_t* samples, float dt_s, estimate_t* estimate)
@@ -25,4 +30,9 @@ void epf_estimation_step(estimator_t* estimator, const estimator_samples_t* samp
 uint32_t epf_estimation_refused(const estimator_t* estimator, uint32_t sensor)
 {
     return sensor < estimator_sensor_count ? estimator->refused[sensor] : 0U;
+}
+
+void epf_magnetic_field(float latitude_deg, float longitude_deg, vector_t* field_nt)
+{
+    *field_nt = magnetic_field_at(latitude_deg, longitude_deg);
 }

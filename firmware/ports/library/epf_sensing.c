@@ -15,7 +15,7 @@ static struct
 void epf_sensing_start(uint32_t seed)
 {
     sensing.sensors = sim_board_sensors(seed);
-    sensing_init(&sensing.estimator);
+    estimator_init(&sensing.estimator);
 }
 
 void epf_sensing_observe(const uint8_t payload[COMMAND_XPLANE_INFO_SIZE], float throttle)

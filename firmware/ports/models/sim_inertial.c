@@ -24,10 +24,6 @@ static const float gust_lag_s = 0.5F;
 static const float longest_silence_s = 0.1F; ///< without a change for longer, the path counts as straight
 static const float jump_m_s2 = 50.0F; ///< flight has no larger one: the simulator moved the aircraft, or was paused
 
-// The earth's magnetic field at Gran Canaria: 4 deg west of north, 38 deg down.
-static const float declination_deg = -4.0F;
-static const float inclination_deg = 38.0F;
-
 void sim_inertial_init(sim_inertial_t* model, uint32_t seed)
 {
     memset(model, 0, sizeof *model);
@@ -114,10 +110,10 @@ static float measure(sim_inertial_t* model, float value, float* bias, float bias
 void sim_inertial_read(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, message_inertial_t* inertial)
 {
     const float rates_rad_s[3] = {truth->p_rad_s, truth->q_rad_s, truth->r_rad_s};
-    const float inclination_rad = angle_to_rad(inclination_deg);
-    const float declination_rad = angle_to_rad(declination_deg);
-    const float earth_field[3] = {cosf(inclination_rad) * cosf(declination_rad),
-                                  cosf(inclination_rad) * sinf(declination_rad), sinf(inclination_rad)};
+    magnetic_field_move(&model->magnetic, (float)truth->latitude_deg, (float)truth->longitude_deg);
+    const vector_t field_nt = model->magnetic.field_nt;
+    const float strength_nt = vector_length(field_nt);
+    const float earth_field[3] = {field_nt.x / strength_nt, field_nt.y / strength_nt, field_nt.z / strength_nt};
     float force_m_s2[3];
     float field[3];
     specific_force(model, truth, dt_s, force_m_s2);

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "comms/protocol_gen.h"
+#include "estimation/magnetic_field.h"
 #include "sim_noise.h"
 #include "sim_truth.h"
 
@@ -14,7 +15,8 @@ typedef struct
     float gyro_bias_rad_s[3]; ///< of this board (from its seed), changing slowly
     float acc_bias_m_s2[3];
     float mag_bias[3];
-    float airspeed_m_s; ///< these three: of the last step, for the path's acceleration
+    magnetic_field_t magnetic; ///< where the aircraft is
+    float airspeed_m_s;        ///< these three: of the last step, for the path's acceleration
     float climb_m_s;
     float track_deg;
     float path_age_s; ///< since the path last changed

@@ -2,15 +2,9 @@
 
 #include <math.h>
 
-static const float declination_deg = -4.0F; ///< of the Canary Islands' magnetic field
 static const float kt_per_m_s = 1.943844F;
 static const float ft_min_per_m_s = 196.8504F;
 static const float pa_per_hpa = 100.0F;
-
-void sensing_init(estimator_t* estimator)
-{
-    estimator_init(estimator, declination_deg);
-}
 
 /// NaN means that a sensor did not measure; it does not count as a bad sample.
 static estimator_samples_t samples_of(const sensors_reading_t* reading)
@@ -36,6 +30,10 @@ static estimator_samples_t samples_of(const sensors_reading_t* reading)
 
 void sensing_update(estimator_t* estimator, const sensors_reading_t* reading, float dt_s, board_sensors_t* sensors)
 {
+    if (reading->gps.valid == 'A')
+    {
+        estimator_locate(estimator, reading->gps.latitude_deg, reading->gps.longitude_deg);
+    }
     const estimator_samples_t samples = samples_of(reading);
     const estimate_t estimate = estimator_update(estimator, &samples, dt_s);
     sensors->ahrs = (message_ahrs_t){

@@ -6,9 +6,6 @@
 #include "flight/board_sensors.h"
 #include "hal/sensors.h"
 
-/// Start the estimator, with the declination of the region where the board flies.
-void sensing_init(estimator_t* estimator);
-
 /// Take one reading, `dt_s` (> 0) after the last, and write all of `sensors` except the statistics.
 void sensing_update(estimator_t* estimator, const sensors_reading_t* reading, float dt_s, board_sensors_t* sensors);
 

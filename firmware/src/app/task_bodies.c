@@ -51,7 +51,7 @@ static void run_sensors(void* context)
     TickType_t woken = xTaskGetTickCount();
     uint32_t observed = 0;
     estimator_t estimator;
-    sensing_init(&estimator);
+    estimator_init(&estimator);
     for (;;)
     {
         application_lock(app);

@@ -124,8 +124,8 @@ static vector_t tilt_error_rad(const attitude_filter_t* filter, vector_t down)
     return vector_scaled(error, 1.0F / length); // beyond a right angle the product would become smaller again
 }
 
-/// True heading by the compass, corrected for tilt, minus the estimated heading; false where the field shows no north.
-static bool heading_error_rad(const attitude_filter_t* filter, vector_t field, float declination_deg, float* error_rad)
+/// Heading by the compass, corrected for tilt, minus the estimated heading; false where the field shows no north.
+static bool heading_error_rad(const attitude_filter_t* filter, vector_t field, float* error_rad)
 {
     const vector_t levelled = rotation_to_earth(filter->body, field);
     const float horizontal = sqrtf(levelled.x * levelled.x + levelled.y * levelled.y);
@@ -134,7 +134,7 @@ static bool heading_error_rad(const attitude_filter_t* filter, vector_t field, f
         return false;
     }
     const float azimuth_deg = angle_to_deg(atan2f(levelled.y, levelled.x));
-    *error_rad = angle_to_rad(angle_wrap_180(declination_deg - azimuth_deg));
+    *error_rad = angle_to_rad(angle_wrap_180(-azimuth_deg));
     return true;
 }
 
@@ -180,10 +180,10 @@ static float correct_tilt(attitude_filter_t* filter, const gravity_t* gravity, f
     return gravity->trust > 0.0F ? vector_length(error_rad) : 0.0F;
 }
 
-static float correct_heading(attitude_filter_t* filter, vector_t field, float declination_deg, float dt_s)
+static float correct_heading(attitude_filter_t* filter, vector_t field, float dt_s)
 {
     float error_rad = 0.0F;
-    if (!heading_error_rad(filter, field, declination_deg, &error_rad))
+    if (!heading_error_rad(filter, field, &error_rad))
     {
         return 0.0F;
     }
@@ -226,7 +226,7 @@ static void judge(attitude_filter_t* filter, float error_rad, float dt_s)
     filter->urgency *= expf(-dt_s / urgent_for_s);
 }
 
-void attitude_update(attitude_filter_t* filter, const attitude_input_t* input, float declination_deg, float dt_s)
+void attitude_update(attitude_filter_t* filter, const attitude_input_t* input, float dt_s)
 {
     note_airspeed(filter, input, dt_s);
     if (!filter->has_tilt)
@@ -249,7 +249,7 @@ void attitude_update(attitude_filter_t* filter, const attitude_input_t* input, f
     }
     if (input->has_field)
     {
-        error_rad = fmaxf(error_rad, correct_heading(filter, input->field, declination_deg, dt_s));
+        error_rad = fmaxf(error_rad, correct_heading(filter, input->field, dt_s));
     }
     note_turn(filter, heading_before_deg, input->has_rate || input->has_field, dt_s);
     judge(filter, error_rad, dt_s);

@@ -1,8 +1,8 @@
 /// Attitude and heading: the integrated gyro, corrected by the measured gravity and by the compass.
 ///
 /// A complementary filter on a quaternion. The accelerometer corrects tilt only and the magnetometer heading only, so a
-/// disturbed magnetic field does not tilt the horizon. Both correct the gyro's bias all the time. Headings are
-/// true: the declination is added to the compass's heading, east positive (true = magnetic + declination).
+/// disturbed magnetic field does not tilt the horizon. Both correct the gyro's bias all the time. North is magnetic
+/// here, so that nothing turns when the declination changes; the estimator makes headings true.
 #ifndef ESTIMATION_ATTITUDE_H
 #define ESTIMATION_ATTITUDE_H
 
@@ -25,7 +25,7 @@ typedef struct
 
 typedef struct
 {
-    rotation_t body; ///< to earth axes
+    rotation_t body; ///< to earth axes, north magnetic
     bool has_tilt;
     bool has_heading;
     vector_t bias_rad_s;
@@ -46,7 +46,7 @@ typedef struct
 void attitude_init(attitude_filter_t* filter);
 
 /// One step of `dt_s` (> 0). The first samples of gravity and compass align the filter.
-void attitude_update(attitude_filter_t* filter, const attitude_input_t* input, float declination_deg, float dt_s);
+void attitude_update(attitude_filter_t* filter, const attitude_input_t* input, float dt_s);
 
 /// Whether the gyro has been heard in the last tenth of a second.
 bool attitude_has_rate(const attitude_filter_t* filter);

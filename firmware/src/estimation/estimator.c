@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "common/angle.h"
 #include "common/limit.h"
 #include "estimation/air.h"
 #include "estimation/gravity.h"
@@ -25,11 +26,20 @@ static const range_t ranges[estimator_sensor_count] = {
     [estimator_pitot] = {-2000.0F, 20000.0F},         // beyond 170 m/s
 };
 
-void estimator_init(estimator_t* estimator, float declination_deg)
+void estimator_init(estimator_t* estimator)
 {
-    *estimator = (estimator_t){.declination_deg = declination_deg, .static_pa = standard_pa};
+    *estimator = (estimator_t){.static_pa = standard_pa};
     attitude_init(&estimator->attitude);
     vertical_init(&estimator->vertical);
+}
+
+void estimator_locate(estimator_t* estimator, float latitude_deg, float longitude_deg)
+{
+    // written so that a NaN is refused
+    if (fabsf(latitude_deg) <= 90.0F && fabsf(longitude_deg) <= 180.0F)
+    {
+        magnetic_field_move(&estimator->magnetic, latitude_deg, longitude_deg);
+    }
 }
 
 /// Whether there is a plausible sample; an implausible one is counted.
@@ -84,7 +94,7 @@ static void update_attitude(estimator_t* estimator, const estimator_samples_t* s
         .airspeed_m_s = air_true_speed_m_s(fmaxf(0.0F, estimator->airspeed_m_s), estimator->static_pa),
         .has_airspeed = has_pitot,
     };
-    attitude_update(&estimator->attitude, &input, estimator->declination_deg, dt_s);
+    attitude_update(&estimator->attitude, &input, dt_s);
 }
 
 static void update_vertical(estimator_t* estimator, const estimator_samples_t* samples, bool has_force, bool has_static,
@@ -106,10 +116,11 @@ static estimate_t estimated(const estimator_t* estimator)
     const bool is_vertical_known = vertical_is_known(&estimator->vertical);
     const bool has_rate = attitude->has_tilt && attitude_has_rate(attitude);
     const euler_t angles = rotation_to_euler(attitude->body);
+    const float declination_deg = magnetic_field_declination_deg(&estimator->magnetic);
     return (estimate_t){
         .attitude =
             {
-                .yaw_deg = attitude->has_heading ? angles.yaw_deg : NAN,
+                .yaw_deg = attitude->has_heading ? angle_wrap_360(angles.yaw_deg + declination_deg) : NAN,
                 .pitch_deg = attitude->has_tilt ? angles.pitch_deg : NAN,
                 .roll_deg = attitude->has_tilt ? angles.roll_deg : NAN,
             },

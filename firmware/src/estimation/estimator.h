@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #include "estimation/attitude.h"
+#include "estimation/magnetic_field.h"
 #include "estimation/vertical.h"
 
 typedef enum
@@ -44,7 +45,7 @@ typedef struct
 
 typedef struct
 {
-    float declination_deg; ///< of the magnetic field where the aircraft flies, east positive
+    magnetic_field_t magnetic; ///< where the aircraft flies
     attitude_filter_t attitude;
     vertical_filter_t vertical;
     float static_pa; ///< the last one; before the first, that at sea level
@@ -54,7 +55,11 @@ typedef struct
     uint32_t refused[estimator_sensor_count];
 } estimator_t;
 
-void estimator_init(estimator_t* estimator, float declination_deg);
+void estimator_init(estimator_t* estimator);
+
+/// The aircraft's place in deg (north and east positive). The heading is true, so it is not known before the first
+/// place that is finite and on the earth; a later one that is not leaves the last.
+void estimator_locate(estimator_t* estimator, float latitude_deg, float longitude_deg);
 
 /// One step of `dt_s` (> 0, at least 50 a second for an aircraft) and the estimate after it.
 estimate_t estimator_update(estimator_t* estimator, const estimator_samples_t* samples, float dt_s);

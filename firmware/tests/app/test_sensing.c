@@ -16,7 +16,7 @@ static sensors_reading_t cruise(void)
                    .calibrated_airspeed_kt = NAN,
                    .battery_v = 40.0F,
                    .vvi_ft_min = NAN},
-        .gps = {.latitude_deg = 27.9F, .valid = 'A'},
+        .gps = {.latitude_deg = 27.9319F, .longitude_deg = -15.3866F, .valid = 'A'},
     };
     reading.receiver.channel[3] = 0.25F;
     return reading;
@@ -35,11 +35,11 @@ static void the_board_says_what_it_estimates(void** state)
 {
     (void)state;
     estimator_t estimator;
-    sensing_init(&estimator);
+    estimator_init(&estimator);
     board_sensors_t sensors = {.statistics = {.control_dsc_percent = 7}};
     const sensors_reading_t reading = cruise();
     sense(&estimator, &reading, 5.0F, &sensors);
-    assert_close(sensors.ahrs.yaw_deg, 356.0, 0.2); // true: the field is 4 degrees west of it
+    assert_close(sensors.ahrs.yaw_deg, 356.9, 0.2); // true: the field is 3.1 degrees west of it
     assert_close(sensors.ahrs.pitch_deg, 0.0, 0.2);
     assert_close(sensors.ahrs.roll_deg, 0.0, 0.2);
     assert_close(sensors.analog.altitude_m, 1000.0, 1.0);
@@ -51,23 +51,39 @@ static void what_is_not_estimated_comes_through_as_it_was_measured(void** state)
 {
     (void)state;
     estimator_t estimator;
-    sensing_init(&estimator);
+    estimator_init(&estimator);
     board_sensors_t sensors = {.statistics = {.control_dsc_percent = 7}};
     const sensors_reading_t reading = cruise();
     sense(&estimator, &reading, 0.1F, &sensors);
     assert_close(sensors.inertial.accz_m_s2, -9.80665, 1e-6);
     assert_close(sensors.inertial.magx, 0.79, 1e-6);
     assert_close(sensors.analog.battery_v, 40.0, 1e-6);
-    assert_close(sensors.gps.latitude_deg, 27.9, 1e-5);
+    assert_close(sensors.gps.latitude_deg, 27.9319, 1e-5);
     assert_close(sensors.servos_in.channel[3], 0.25, 1e-6);
     assert_int_equal(sensors.statistics.control_dsc_percent, 7); // not the sensors' to say
+}
+
+static void the_heading_is_not_known_before_the_gps_knows_where_the_board_is(void** state)
+{
+    (void)state;
+    estimator_t estimator;
+    estimator_init(&estimator);
+    board_sensors_t sensors = {0};
+    sensors_reading_t reading = cruise();
+    reading.gps.valid = 'V';
+    sense(&estimator, &reading, 5.0F, &sensors);
+    assert_true(isnan(sensors.ahrs.yaw_deg));
+    assert_close(sensors.ahrs.roll_deg, 0.0, 0.2);
+    reading.gps.valid = 'A';
+    sense(&estimator, &reading, step_s, &sensors);
+    assert_close(sensors.ahrs.yaw_deg, 356.9, 0.2);
 }
 
 static void rates_come_without_the_gyros_bias(void** state)
 {
     (void)state;
     estimator_t estimator;
-    sensing_init(&estimator);
+    estimator_init(&estimator);
     board_sensors_t sensors = {0};
     sensors_reading_t reading = cruise();
     reading.inertial.gy_rad_s = 0.01F;
@@ -79,7 +95,7 @@ static void a_sensor_that_does_not_measure_is_missing_and_not_refused(void** sta
 {
     (void)state;
     estimator_t estimator;
-    sensing_init(&estimator);
+    estimator_init(&estimator);
     board_sensors_t sensors = {0};
     sensors_reading_t reading = cruise();
     sense(&estimator, &reading, 5.0F, &sensors);
@@ -98,6 +114,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_board_says_what_it_estimates),
         cmocka_unit_test(what_is_not_estimated_comes_through_as_it_was_measured),
+        cmocka_unit_test(the_heading_is_not_known_before_the_gps_knows_where_the_board_is),
         cmocka_unit_test(rates_come_without_the_gyros_bias),
         cmocka_unit_test(a_sensor_that_does_not_measure_is_missing_and_not_refused),
     };

@@ -7,7 +7,6 @@
 #include "estimation/gravity.h"
 
 static const float step_s = 0.02F;
-static const float declination_deg = -4.0F;
 
 /// What perfect sensors measure in a steady turn (or straight on, without bank) at this attitude.
 static attitude_input_t steady(euler_t attitude, float airspeed_m_s)
@@ -18,8 +17,7 @@ static attitude_input_t steady(euler_t attitude, float airspeed_m_s)
     const vector_t rate = rotation_to_body(body, (vector_t){.z = turn_rad_s});
     const vector_t flight = vector_cross(rate, (vector_t){.x = airspeed_m_s});
     const vector_t gravity = rotation_to_body(body, (vector_t){.z = GRAVITY_M_S2});
-    const float declination_rad = angle_to_rad(declination_deg);
-    const vector_t field = {0.79F * cosf(declination_rad), 0.79F * sinf(declination_rad), 0.62F};
+    const vector_t field = {.x = 0.79F, .z = 0.62F};
     return (attitude_input_t){
         .rate_rad_s = rate,
         .has_rate = true,
@@ -42,7 +40,7 @@ static euler_t fly(attitude_filter_t* filter, euler_t attitude, float airspeed_m
     {
         const attitude_input_t perfect = steady(attitude, airspeed_m_s);
         const attitude_input_t input = sensors == NULL ? perfect : sensors(perfect);
-        attitude_update(filter, &input, declination_deg, step_s);
+        attitude_update(filter, &input, step_s);
         attitude.yaw_deg = angle_wrap_360(attitude.yaw_deg + angle_to_deg(turn_rad_s * step_s));
     }
     return attitude;
@@ -159,7 +157,7 @@ static void a_roll_is_followed_at_once(void** state)
         attitude.roll_deg += 0.8F; // 40 degrees in a second
         attitude_input_t input = steady(attitude, 28.0F);
         input.rate_rad_s.x += angle_to_rad(40.0F);
-        attitude_update(&filter, &input, declination_deg, step_s);
+        attitude_update(&filter, &input, step_s);
     }
     assert_close(rotation_to_euler(filter.body).roll_deg, 40.0, 1.0);
 }
@@ -189,13 +187,13 @@ static void a_turn_that_ends_while_gyro_and_compass_are_silent_is_not_turned_on(
     for (int i = 0; i < 500; i++)
     {
         attitude_input_t input = without_gyro(without_compass(steady(attitude, 28.0F)));
-        attitude_update(&filter, &input, declination_deg, step_s);
+        attitude_update(&filter, &input, step_s);
     }
     const float before_deg = rotation_to_euler(filter.body).yaw_deg;
     for (int i = 0; i < 50; i++)
     {
         attitude_input_t input = without_gyro(without_compass(steady(attitude, 28.0F)));
-        attitude_update(&filter, &input, declination_deg, step_s);
+        attitude_update(&filter, &input, step_s);
     }
     assert_close(angle_wrap_180(rotation_to_euler(filter.body).yaw_deg - before_deg), 0.0, 0.1);
 }
@@ -265,20 +263,6 @@ static void an_aircraft_put_into_flight_from_a_standstill_is_not_taken_for_a_cat
     assert_close(vector_length(filter.bias_rad_s), 0.0, 0.005);
 }
 
-static void the_declination_is_added_east_positive(void** state)
-{
-    (void)state;
-    attitude_filter_t filter;
-    attitude_init(&filter);
-    attitude_input_t input = steady((euler_t){0.0F, 0.0F, 0.0F}, 0.0F);
-    input.field = (vector_t){.x = 0.8F, .z = 0.6F}; // the nose at magnetic north
-    for (int i = 0; i < 100; i++)
-    {
-        attitude_update(&filter, &input, 10.0F, step_s);
-    }
-    assert_close(rotation_to_euler(filter.body).yaw_deg, 10.0, 0.1);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -295,7 +279,6 @@ int main(void)
         cmocka_unit_test(without_a_compass_the_horizon_is_known_and_the_heading_is_not),
         cmocka_unit_test(an_aircraft_that_was_put_somewhere_else_is_found_again_within_seconds),
         cmocka_unit_test(an_aircraft_put_into_flight_from_a_standstill_is_not_taken_for_a_catapulted_one),
-        cmocka_unit_test(the_declination_is_added_east_positive),
     };
     return cmocka_run_group_tests_name("estimation.attitude", tests, NULL, NULL);
 }

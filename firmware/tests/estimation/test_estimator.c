@@ -17,6 +17,13 @@ static const estimator_samples_t cruise = {
     .is_measured = {true, true, true, true, true},
 };
 
+/// At Gando, where magnetic north is 3.1 deg west of true north.
+static void start(estimator_t* estimator)
+{
+    estimator_init(estimator);
+    estimator_locate(estimator, 27.9319F, -15.3866F);
+}
+
 static estimate_t run(estimator_t* estimator, const estimator_samples_t* samples, float seconds)
 {
     estimate_t estimate = {0};
@@ -32,7 +39,7 @@ static void before_the_first_samples_nothing_is_known(void** state)
 {
     (void)state;
     estimator_t estimator;
-    estimator_init(&estimator, 0.0F);
+    estimator_init(&estimator);
     const estimator_samples_t nothing = {0};
     const estimate_t estimate = estimator_update(&estimator, &nothing, step_s);
     assert_true(isnan(estimate.attitude.yaw_deg) && isnan(estimate.attitude.pitch_deg));
@@ -49,9 +56,9 @@ static void steady_cruise_is_what_the_sensors_say(void** state)
 {
     (void)state;
     estimator_t estimator;
-    estimator_init(&estimator, -4.0F);
+    start(&estimator);
     const estimate_t estimate = run(&estimator, &cruise, 10.0F);
-    assert_close(estimate.attitude.yaw_deg, 356.0, 0.1);
+    assert_close(estimate.attitude.yaw_deg, 356.9, 0.1);
     assert_close(estimate.attitude.pitch_deg, 0.0, 0.1);
     assert_close(estimate.attitude.roll_deg, 0.0, 0.1);
     assert_close(estimate.altitude_m, 1000.0, 1.0);
@@ -65,7 +72,7 @@ static void the_turn_is_corrected_with_the_true_airspeed(void** state)
 {
     (void)state;
     estimator_t estimator;
-    estimator_init(&estimator, 0.0F);
+    start(&estimator);
     estimator_samples_t turning = cruise;
     turning.is_measured[estimator_magnetometer] = false;
     const float bank_rad = 0.5452F;
@@ -82,7 +89,7 @@ static void a_sample_that_is_not_finite_is_refused_and_changes_nothing(void** st
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
     {
         estimator_t estimator;
-        estimator_init(&estimator, 0.0F);
+        start(&estimator);
         const estimate_t before = run(&estimator, &cruise, 5.0F);
         estimator_samples_t bad = cruise;
         bad.gyro_rad_s[1] = wrong[i];
@@ -106,7 +113,7 @@ static void each_sensor_is_judged_by_itself(void** state)
 {
     (void)state;
     estimator_t estimator;
-    estimator_init(&estimator, 0.0F);
+    start(&estimator);
     (void)run(&estimator, &cruise, 5.0F);
     estimator_samples_t bad = cruise;
     bad.pitot_pa = NAN;
@@ -122,7 +129,7 @@ static void a_gyro_that_falls_silent_has_no_rates_but_the_horizon_stands(void** 
 {
     (void)state;
     estimator_t estimator;
-    estimator_init(&estimator, 0.0F);
+    start(&estimator);
     (void)run(&estimator, &cruise, 5.0F);
     estimator_samples_t silent = cruise;
     silent.is_measured[estimator_gyro] = false;
@@ -132,13 +139,48 @@ static void a_gyro_that_falls_silent_has_no_rates_but_the_horizon_stands(void** 
     assert_close(run(&estimator, &cruise, 1.0F).rate_rad_s[0], 0.0, 0.001);
 }
 
+static void the_heading_is_true_wherever_the_aircraft_is(void** state)
+{
+    (void)state;
+    // what the nose at magnetic north shows: the declination of Gando, of Christchurch, and of Gando again
+    const float places_deg[][3] = {
+        {27.9319F, -15.3866F, 356.9F}, {-43.53F, 172.63F, 24.8F}, {27.9319F, -15.3866F, 356.9F}};
+    estimator_t estimator;
+    estimator_init(&estimator);
+    for (size_t i = 0; i < sizeof places_deg / sizeof places_deg[0]; i++)
+    {
+        estimator_locate(&estimator, places_deg[i][0], places_deg[i][1]);
+        const estimate_t estimate = run(&estimator, &cruise, i == 0 ? 10.0F : step_s);
+        assert_close(estimate.attitude.yaw_deg, places_deg[i][2], 0.1);
+        assert_close(estimate.rate_rad_s[2], 0.0, 0.001); // the aircraft has not turned
+    }
+}
+
+static void without_a_place_the_horizon_is_known_and_the_heading_is_not(void** state)
+{
+    (void)state;
+    estimator_t estimator;
+    estimator_init(&estimator);
+    const float wrong[][2] = {{NAN, -15.0F}, {28.0F, NAN}, {90.5F, 0.0F}, {0.0F, -180.5F}, {INFINITY, 0.0F}};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
+    {
+        estimator_locate(&estimator, wrong[i][0], wrong[i][1]);
+        const estimate_t estimate = run(&estimator, &cruise, 1.0F);
+        assert_true(isnan(estimate.attitude.yaw_deg));
+        assert_close(estimate.attitude.pitch_deg, 0.0, 0.5);
+    }
+    estimator_locate(&estimator, 27.9319F, -15.3866F);
+    estimator_locate(&estimator, NAN, NAN); // the GPS lost it: the last place stands
+    assert_close(run(&estimator, &cruise, step_s).attitude.yaw_deg, 356.9, 0.1);
+}
+
 static void the_same_samples_give_the_same_estimate(void** state)
 {
     (void)state;
     estimator_t first;
     estimator_t second;
-    estimator_init(&first, -4.0F);
-    estimator_init(&second, -4.0F);
+    start(&first);
+    start(&second);
     const estimate_t a = run(&first, &cruise, 3.0F);
     const estimate_t b = run(&second, &cruise, 3.0F);
     assert_memory_equal(&a, &b, sizeof a); // no state beside the caller's
@@ -153,6 +195,8 @@ int main(void)
         cmocka_unit_test(a_sample_that_is_not_finite_is_refused_and_changes_nothing),
         cmocka_unit_test(each_sensor_is_judged_by_itself),
         cmocka_unit_test(a_gyro_that_falls_silent_has_no_rates_but_the_horizon_stands),
+        cmocka_unit_test(the_heading_is_true_wherever_the_aircraft_is),
+        cmocka_unit_test(without_a_place_the_horizon_is_known_and_the_heading_is_not),
         cmocka_unit_test(the_same_samples_give_the_same_estimate),
     };
     return cmocka_run_group_tests_name("estimation.estimator", tests, NULL, NULL);

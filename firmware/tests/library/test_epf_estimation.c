@@ -12,14 +12,15 @@ static const estimator_samples_t level = {
 static void steps_from_another_language_give_the_estimators_own_estimate(void** state)
 {
     (void)state;
-    estimator_t* const estimator = epf_estimation_new(7.0F);
+    estimator_t* const estimator = epf_estimation_new();
     assert_non_null(estimator);
+    epf_estimation_locate(estimator, 27.9319F, -15.3866F);
     estimate_t estimate;
     for (int i = 0; i < 100; i++)
     {
         epf_estimation_step(estimator, &level, 0.02F, &estimate);
     }
-    assert_close(estimate.attitude.yaw_deg, 7.0, 0.1);
+    assert_close(estimate.attitude.yaw_deg, 356.9, 0.1);
     assert_close(estimate.altitude_m, 0.0, 0.1);
     epf_estimation_free(estimator);
 }
@@ -27,7 +28,7 @@ static void steps_from_another_language_give_the_estimators_own_estimate(void** 
 static void refused_samples_are_counted_for_each_sensor(void** state)
 {
     (void)state;
-    estimator_t* const estimator = epf_estimation_new(0.0F);
+    estimator_t* const estimator = epf_estimation_new();
     estimator_samples_t bad = level;
     bad.magnetometer[1] = NAN;
     estimate_t estimate;
@@ -38,10 +39,20 @@ static void refused_samples_are_counted_for_each_sensor(void** state)
     epf_estimation_free(estimator);
 }
 
+static void the_field_of_a_place_is_north_east_and_down(void** state)
+{
+    (void)state;
+    vector_t field_nt;
+    epf_magnetic_field(27.9319F, -15.3866F, &field_nt);
+    assert_true(field_nt.x > 30000.0F && field_nt.z > 20000.0F);
+    assert_true(field_nt.y < -1000.0F && field_nt.y > -3000.0F);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_from_another_language_give_the_estimators_own_estimate),
+        cmocka_unit_test(the_field_of_a_place_is_north_east_and_down),
         cmocka_unit_test(refused_samples_are_counted_for_each_sensor),
     };
     return cmocka_run_group_tests_name("library.epf_estimation", tests, NULL, NULL);
