@@ -270,6 +270,13 @@ async def test_a_vehicle_that_goes_ends_every_request_and_is_found_again(tmp_pat
     await again.stop()
 
 
+def let_pass(station: StationEnd, from_s: float, to_s: float) -> None:
+    """Looks ten times a second, at times after now."""
+    now_s = asyncio.get_running_loop().time()
+    for tenths in range(round(10 * from_s), round(10 * to_s)):
+        station.look(now_s + 0.1 * tenths)
+
+
 @pytest.mark.anyio
 async def test_a_vehicle_that_hangs_is_noticed_and_whoever_waits_for_it_is_told_until_it_is_heard_again(
     tmp_path: Path,
@@ -279,21 +286,36 @@ async def test_a_vehicle_that_hangs_is_noticed_and_whoever_waits_for_it_is_told_
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
         waiting = asyncio.ensure_future(station.request("hang"))
         await asyncio.sleep(0)
-        now_s = asyncio.get_running_loop().time()
-        for tenths in range(9_900):
-            station.look(now_s + 0.1 * tenths)
+        let_pass(station, 0.0, 990.0)
         assert heard.silences == []
-        for tenths in range(9_900, 10_020):
-            station.look(now_s + 0.1 * tenths)
+        let_pass(station, 990.0, 1002.0)
         assert heard.silences == [True]
+        let_pass(station, 1002.0, 4010.0)
         for asked in (waiting, station.request("echo")):
             with pytest.raises(UnavailableError):
                 await asked
-        station.look(now_s + 1003.0)
         vehicle.broadcast.event("alarm", {"id": "x"})
         await eventually_async(lambda: len(heard.events) == 1, "it is heard")
         assert heard.silences == [True, False]
         assert await station.request("echo") == {"by": None}
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_short_silence_fails_nothing_that_was_asked_and_no_read_but_takes_no_new_order(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard, silent_after_s=1000.0) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        waiting = asyncio.ensure_future(station.request("hang", Asker("c1", "Ana")))
+        await asyncio.sleep(0)
+        let_pass(station, 0.0, 1002.0)
+        assert heard.silences == [True]
+        with pytest.raises(UnavailableError):
+            await station.request("echo", Asker("c1", "Ana"))
+        assert not waiting.done()
+        assert await station.request("echo") == {"by": None}
+        vehicle.released.set()
+        await waiting
     await vehicle.stop()
 
 

@@ -1,4 +1,4 @@
-import { type ComponentProps, useCallback, useEffect, useMemo, useRef } from "react";
+import { type ComponentProps, useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { AccessBands } from "../features/access/AccessBands";
@@ -8,9 +8,8 @@ import { PresentStrip } from "../features/playback/PresentStrip";
 import { TimeBar } from "../features/playback/TimeBar";
 import { useAdmission } from "../requests/useRole";
 import { PageContext, usePage, usePart, useSettings } from "../store/hooks";
-import { say } from "../store/messages";
 import { applyTheme } from "../theme/theme";
-import { RefusalProvider, type Refuse } from "../ui/refusal";
+import { RefusalProvider } from "../ui/refusal";
 import { WordsProvider } from "../ui/words";
 import "./app.css";
 import "./compact/compact.css";
@@ -46,7 +45,7 @@ export function App() {
   const words = useSharedWords();
   return (
     <WordsProvider words={words}>
-      <RefusalProvider value={useRefuse()}>
+      <RefusalProvider value={usePage().messages.refuse}>
         {isOut ? (
           <ENTER_PAGE.Part waiting={null} failed={(retry) => <LoadFailure onRetry={retry} />} />
         ) : (
@@ -54,25 +53,6 @@ export function App() {
         )}
       </RefusalProvider>
     </WordsProvider>
-  );
-}
-
-/** A drag on a greyed slider is many presses, and one answer. */
-const SAME_ANSWER_MS = 1000;
-
-/** Why a press did nothing is said where every outcome is said: in the last message and in the log. */
-function useRefuse(): Refuse {
-  const { messages } = usePage();
-  return useCallback(
-    (reason) => {
-      const { last } = messages.getState();
-      const now_ms = Date.now();
-      const isSaid = last?.key === "said.notDone" && last.params["reason"] === reason;
-      if (!(isSaid && now_ms - last.said_ms < SAME_ANSWER_MS)) {
-        say(messages, { level: "warning", key: "said.notDone", params: { reason } }, now_ms);
-      }
-    },
-    [messages],
   );
 }
 

@@ -50,7 +50,7 @@ import { refusedInPast } from "../requests/pastGuard";
 import { createAdmission } from "../store/admission";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
-import { announce, createMessages, type Message } from "../store/messages";
+import { createMessages } from "../store/messages";
 import { Parts } from "../store/parts";
 import { Pump } from "../store/pump";
 import { type BrowserStorage, choose, createSettings } from "../store/settings";
@@ -102,7 +102,7 @@ export function createPage(world: World): {
   const addressed = takeAddressedKey(world.address);
   const { telemetry, connection } = vehicle;
   const commands = createCommands();
-  const messages = createMessages(world.tabStorage);
+  const messages = createMessages(world, world.tabStorage);
   const settings = createSettings(world.storage);
   const parameterValues = createParameters();
   const plans = createPlans(world.storage);
@@ -110,7 +110,7 @@ export function createPage(world: World): {
   const now_ms = world.timers.now_ms;
   const pump = new Pump(world.animationFrames, () => telemetry.revision + pasts.revision(), now_ms(), fail);
   const client = (): string | null => connection.getState().client;
-  const tell = (message: Message): void => announce(messages, world.timers, message, world.wall_ms());
+  const tell = messages.announce;
 
   /** Part of the page failed and the rest goes on: what that part shows may be old. */
   function fail(error: unknown): void {
@@ -161,7 +161,11 @@ export function createPage(world: World): {
       // Its restart is reported on its own, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);
     }
-    const said = eventMessage(message, client()) ?? controlMessage(message, client());
+    const control = controlMessage(message, client());
+    if (control !== null) {
+      (control.isAnswer ? messages.say : tell)(control.message);
+    }
+    const said = eventMessage(message, client());
     if (said !== null) {
       tell(said);
     }

@@ -1,7 +1,7 @@
 import type { Check } from "../lib/check";
 import { type Answer, isDone } from "../protocol/answers";
 import { begin, type CommandStore, finish, type Outcome } from "../store/commands";
-import { failureMessage, type Message, type MessageStore, say } from "../store/messages";
+import { failureMessage, type Message, type MessageStore } from "../store/messages";
 
 /** The gateway's REST interface; never throws: the answer is a value or a problem. */
 export interface Gateway {
@@ -62,7 +62,7 @@ export interface Asking {
   ) => Promise<void>;
 }
 
-export function createAsking({ rest, commands, messages, now_ms, wall_ms }: AskingParts): Asking {
+export function createAsking({ rest, commands, messages, now_ms }: AskingParts): Asking {
   async function run<T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended): Promise<void> {
     const entry = begin(commands, asker.control, asker.asked ?? null);
     const answer = await ask;
@@ -70,7 +70,7 @@ export function createAsking({ rest, commands, messages, now_ms, wall_ms }: Aski
       ? end(answer.value)
       : { state: "rejected", message: failureMessage(answer.problem) };
     finish(commands, asker.control, entry, ended, now_ms());
-    say(messages, ended.message, wall_ms());
+    messages.say(ended.message);
   }
 
   return {

@@ -13,7 +13,6 @@ import {
   useSettings,
   useTelemetry,
 } from "./hooks";
-import { createMessages } from "./messages";
 import { Parts, partName } from "./parts";
 import { Pump } from "./pump";
 import { createSettings } from "./settings";
@@ -33,7 +32,6 @@ const page = {
   ),
   connection: createConnection(),
   commands: createCommands(),
-  messages: createMessages(),
   settings: createSettings(null),
   parts: new Parts(),
 } as Partial<Page> as Page;

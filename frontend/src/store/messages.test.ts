@@ -1,82 +1,95 @@
 import { expect, test } from "vitest";
 import { ManualTimers } from "../test/wire";
-import {
-  announce,
-  createMessages,
-  failureMessage,
-  type MessageStore,
-  MOST_KEPT,
-  READABLE_MS,
-  say,
-} from "./messages";
+import { createMessages, failureMessage, MOST_KEPT, READABLE_MS } from "./messages";
 import type { BrowserStorage } from "./settings";
 
-test("the last message is the one shown, and the same words said again are a new message", () => {
-  const store = createMessages();
-  const message = { level: "info", key: "said.confirmed", params: { what: "ahrs_on" } } as const;
-  say(store, message, 1000);
-  say(store, message, 2000);
-  expect(store.getState().last).toEqual({ ...message, number: 2, said_ms: 2000 });
-});
+const START_MS = 1_700_000_000_000;
+
+/** The messages of a page, whose time the test lets pass. */
+function messagesOf(storage?: BrowserStorage) {
+  const timers = new ManualTimers();
+  const store = createMessages({ timers, wall_ms: () => START_MS + timers.now_ms() }, storage);
+  return { store, timers, last: () => store.getState().last?.key };
+}
 
 const SAID = { level: "warning", key: "said.malformed", params: { count: 3 } } as const;
 const CONFIRMED = { level: "info", key: "said.confirmed", params: {} } as const;
 const CONTROL = { level: "info", key: "said.control", params: {} } as const;
+const LINK = { level: "info", key: "said.link", params: {} } as const;
 const NOT_DONE = { level: "warning", key: "said.notDone", params: { reason: "no link" } } as const;
 
-const lastSaid = (store: MessageStore): string | undefined => store.getState().last?.key;
-
-test("an information that nobody asked for waits until a refusal could be read", () => {
-  const store = createMessages();
-  const timers = new ManualTimers();
-  say(store, NOT_DONE, 1000);
-  announce(store, timers, CONTROL, 1001);
-  timers.pass(READABLE_MS - 2);
-  expect(lastSaid(store)).toBe("said.notDone");
-  expect(store.getState().kept.map(({ key }) => key)).toEqual(["said.notDone", "said.control"]);
-  timers.pass(1);
-  expect(lastSaid(store)).toBe("said.control");
+test("the last message is the one shown, and the same words said again are a new message", () => {
+  const { store, timers } = messagesOf();
+  store.say(CONFIRMED);
+  timers.pass(1000);
+  store.say(CONFIRMED);
+  expect(store.getState().last).toEqual({ ...CONFIRMED, number: 2, said_ms: START_MS + 1000 });
 });
 
-test("the answer to the next press takes the place of a refusal at once, and of what waited behind it", () => {
-  const store = createMessages();
-  const timers = new ManualTimers();
-  say(store, NOT_DONE, 1000);
-  announce(store, timers, SAID, 1001);
-  say(store, NOT_DONE, 1002);
-  announce(store, timers, CONTROL, 1003);
-  say(store, CONFIRMED, 1004);
+test.each([NOT_DONE, CONFIRMED])(
+  "an information that nobody asked for waits until an answer could be read: $level",
+  (answer) => {
+    const { store, timers, last } = messagesOf();
+    store.say(answer);
+    timers.pass(1);
+    store.announce(CONTROL);
+    store.announce(LINK);
+    timers.pass(READABLE_MS - 2);
+    expect(last()).toBe(answer.key);
+    expect(store.getState().kept.map(({ key }) => key)).toEqual([answer.key, "said.control", "said.link"]);
+    timers.pass(1);
+    expect(last()).toBe("said.link");
+    store.announce(CONTROL);
+    expect(last()).toBe("said.control");
+  },
+);
+
+test("the answer to the next press takes the place of the one before at once, and of what waited behind it", () => {
+  const { store, timers, last } = messagesOf();
+  store.say(NOT_DONE);
+  store.announce(CONTROL);
+  store.say(CONFIRMED);
+  expect(last()).toBe("said.confirmed");
   timers.pass(READABLE_MS);
-  expect(store.getState().last).toEqual({ ...CONFIRMED, number: 5, said_ms: 1004 });
+  expect(last()).toBe("said.confirmed");
 });
 
-test("a second refusal has its own time to be read", () => {
-  const store = createMessages();
-  const timers = new ManualTimers();
-  say(store, NOT_DONE, 0);
-  announce(store, timers, CONTROL, 0);
+test("a second answer has its own time to be read", () => {
+  const { store, timers, last } = messagesOf();
+  store.say(NOT_DONE);
   timers.pass(READABLE_MS - 1);
-  say(store, NOT_DONE, READABLE_MS - 1);
-  announce(store, timers, CONTROL, READABLE_MS - 1);
+  store.say(NOT_DONE);
+  store.announce(CONTROL);
   timers.pass(READABLE_MS - 1);
-  expect(lastSaid(store)).toBe("said.notDone");
+  expect(last()).toBe("said.notDone");
 });
 
 test("a warning waits for nothing, and what ends it does not either", () => {
-  const store = createMessages();
-  const timers = new ManualTimers();
-  say(store, NOT_DONE, 1000);
-  announce(store, timers, SAID, 1001);
-  expect(lastSaid(store)).toBe("said.malformed");
-  announce(store, timers, CONTROL, 1002);
-  expect(lastSaid(store)).toBe("said.control");
+  const { store, timers, last } = messagesOf();
+  store.say(NOT_DONE);
+  store.announce(CONTROL);
+  store.announce(SAID);
+  expect(last()).toBe("said.malformed");
+  timers.pass(READABLE_MS);
+  expect(last()).toBe("said.malformed");
+  store.say(NOT_DONE);
+  store.announce(SAID);
+  store.announce(LINK);
+  expect(last()).toBe("said.link");
 });
 
-test("a clock that is set back holds nothing", () => {
-  const store = createMessages();
-  say(store, NOT_DONE, 9000);
-  announce(store, new ManualTimers(), CONTROL, 1000);
-  expect(lastSaid(store)).toBe("said.control");
+test("a press that does nothing is answered, and many in a second are answered once", () => {
+  const { store, timers } = messagesOf();
+  const count = (): number => store.getState().kept.length;
+  store.refuse("no link");
+  timers.pass(900);
+  store.refuse("no link");
+  expect([count(), store.getState().last]).toEqual([1, { ...NOT_DONE, number: 1, said_ms: START_MS }]);
+  store.refuse("no control");
+  expect(count()).toBe(2);
+  timers.pass(1000);
+  store.refuse("no control");
+  expect(count()).toBe(3);
 });
 
 test("a refusal is an error of its code, with the values that a sentence can say and the gateway's own text", () => {
@@ -90,7 +103,7 @@ test("a refusal is an error of its code, with the values that a sentence can say
 });
 
 test("nothing is said before the first message", () => {
-  expect(createMessages().getState()).toMatchObject({ last: null, kept: [] });
+  expect(messagesOf().store.getState()).toEqual({ last: null, kept: [] });
 });
 
 function memory(): BrowserStorage & { readonly texts: Map<string, string> } {
@@ -104,21 +117,21 @@ function memory(): BrowserStorage & { readonly texts: Map<string, string> } {
 
 test("what was said is kept over a reload, but nothing of it looks like the newest message", () => {
   const storage = memory();
-  say(createMessages(storage), SAID, 1000);
-  const reloaded = createMessages(storage);
-  expect(reloaded.getState()).toMatchObject({ last: null, kept: [{ ...SAID, number: 1, said_ms: 1000 }] });
-  say(reloaded, SAID, 2000);
+  messagesOf(storage).store.say(SAID);
+  const { store: reloaded } = messagesOf(storage);
+  expect(reloaded.getState()).toEqual({ last: null, kept: [{ ...SAID, number: 1, said_ms: START_MS }] });
+  reloaded.say(SAID);
   expect(reloaded.getState().last?.number).toBe(2);
 });
 
 test("the oldest messages make room", () => {
   const storage = memory();
-  const store = createMessages(storage);
-  for (let at_ms = 0; at_ms < MOST_KEPT + 5; at_ms += 1) {
-    say(store, SAID, at_ms);
+  const { store } = messagesOf(storage);
+  for (let number = 1; number <= MOST_KEPT + 5; number += 1) {
+    store.announce(SAID);
   }
-  const { kept } = createMessages(storage).getState();
-  expect([kept.length, kept[0]?.said_ms]).toEqual([MOST_KEPT, 5]);
+  const { kept } = messagesOf(storage).store.getState();
+  expect([kept.length, kept[0]?.number]).toEqual([MOST_KEPT, 6]);
 });
 
 test.each([
@@ -127,9 +140,9 @@ test.each([
   '[{"level":"loud"}, 3, null, {"level":"info","key":"a","params":{"x":[]},"number":1,"said_ms":1}]',
 ])("stored messages that are none are left out: %s", (stored) => {
   const storage = memory();
-  say(createMessages(storage), SAID, 1);
+  messagesOf(storage).store.say(SAID);
   storage.texts.set([...storage.texts.keys()][0] ?? "", stored);
-  expect(createMessages(storage).getState().kept).toEqual([]);
+  expect(messagesOf(storage).store.getState().kept).toEqual([]);
 });
 
 test("a full or forbidden storage keeps nobody from speaking", () => {
@@ -141,7 +154,7 @@ test("a full or forbidden storage keeps nobody from speaking", () => {
       throw new Error("full");
     },
   };
-  const store = createMessages(forbidden);
-  say(store, SAID, 1);
+  const { store } = messagesOf(forbidden);
+  store.say(SAID);
   expect(store.getState().kept).toHaveLength(1);
 });

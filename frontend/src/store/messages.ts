@@ -23,67 +23,97 @@ export interface SaidMessage extends Message {
   readonly said_ms: number;
 }
 
-/** `last` is what the status bar shows, `waiting` what it shows next; `kept` is what was said in this browser tab, oldest first, over reloads too. */
+/** `last` is what the status bar shows; `kept` is what was said in this browser tab, oldest first, over reloads too. */
 export interface Messages {
   readonly last: SaidMessage | null;
   readonly kept: readonly SaidMessage[];
-  readonly waiting: SaidMessage | null;
-  /** Whether `last` tells the user why what they did was not done. */
-  readonly isRefusal: boolean;
 }
 
-export type MessageStore = StoreApi<Messages>;
+export interface MessageStore extends StoreApi<Messages> {
+  /** The answer to what the user did: shown at once, and readable for `READABLE_MS`. */
+  readonly say: (message: Message) => void;
+  /**
+   * What happened by itself. An information waits until an answer could be read, and the newest of those that wait is
+   * shown then; a warning or an error is shown at once, because it may be of safety.
+   */
+  readonly announce: (message: Message) => void;
+  /** Why a press did nothing. A drag on a greyed slider is many presses, and one answer. */
+  readonly refuse: (reason: string) => void;
+}
+
+export interface MessageClocks {
+  readonly timers: Timers;
+  /** Unix milliseconds. */
+  readonly wall_ms: () => number;
+}
 
 /** Some 100 kB in the tab's storage, and more than anybody reads. */
 export const MOST_KEPT = 500;
+/** How long an information that nobody asked for leaves an answer in the status bar. */
+export const READABLE_MS = 5000;
+const SAME_REFUSAL_MS = 1000;
 const KEY = "epf-gcs.messages";
 
-export function createMessages(storage: BrowserStorage | null = null): MessageStore {
-  const kept = read(storage);
-  const store = createStore<Messages>(() => ({ last: null, kept, waiting: null, isRefusal: false }));
+export function createMessages(
+  { timers, wall_ms }: MessageClocks,
+  storage: BrowserStorage | null = null,
+): MessageStore {
+  const store = createStore<Messages>(() => ({ last: null, kept: read(storage) }));
+  let endReading: (() => void) | null = null;
+  let waiting: SaidMessage | null = null;
+  let refused_ms = 0;
+
   store.subscribe(({ kept: now }, { kept: before }) => {
     if (now !== before) {
       write(storage, now);
     }
   });
-  return store;
-}
 
-/** How long an information that nobody asked for leaves the answer to a press that failed in the status bar. */
-export const READABLE_MS = 5000;
-
-/** The answer to what the user did: the status bar shows it at once. */
-export function say(store: MessageStore, message: Message, said_ms: number): void {
-  const last = keep(store, message, said_ms);
-  store.setState({ last, waiting: null, isRefusal: message.level !== "info" });
-}
-
-/** What happened by itself. An information waits until a refusal could be read; a warning or an error does not. */
-export function announce(store: MessageStore, timers: Timers, message: Message, said_ms: number): void {
-  const said = keep(store, message, said_ms);
-  const { last, waiting, isRefusal } = store.getState();
-  const age_ms = last === null ? READABLE_MS : said_ms - last.said_ms;
-  if (message.level !== "info" || !isRefusal || age_ms < 0 || age_ms >= READABLE_MS) {
-    store.setState({ last: said, waiting: null, isRefusal: false });
-    return;
+  function keep(message: Message): SaidMessage {
+    const { kept } = store.getState();
+    const said = { ...message, number: (kept.at(-1)?.number ?? 0) + 1, said_ms: wall_ms() };
+    store.setState({ kept: [...kept, said].slice(-MOST_KEPT) });
+    return said;
   }
-  store.setState({ waiting: said });
-  if (waiting === null) {
-    timers.after(READABLE_MS - age_ms, () =>
-      store.setState((now) =>
-        now.waiting === null || now.last !== last
-          ? now
-          : { last: now.waiting, waiting: null, isRefusal: false },
-      ),
-    );
-  }
-}
 
-function keep(store: MessageStore, message: Message, said_ms: number): SaidMessage {
-  const { kept } = store.getState();
-  const said = { ...message, number: (kept.at(-1)?.number ?? 0) + 1, said_ms };
-  store.setState({ kept: [...kept, said].slice(-MOST_KEPT) });
-  return said;
+  function show(last: SaidMessage): void {
+    endReading?.();
+    endReading = null;
+    waiting = null;
+    store.setState({ last });
+  }
+
+  function say(message: Message): void {
+    show(keep(message));
+    endReading = timers.after(READABLE_MS, () => {
+      endReading = null;
+      if (waiting !== null) {
+        show(waiting);
+      }
+    });
+  }
+
+  return {
+    ...store,
+    say,
+    announce: (message) => {
+      const said = keep(message);
+      if (message.level === "info" && endReading !== null) {
+        waiting = said;
+      } else {
+        show(said);
+      }
+    },
+    refuse: (reason) => {
+      const { last } = store.getState();
+      const isSaid = last?.key === "said.notDone" && last.params["reason"] === reason;
+      if (isSaid && timers.now_ms() - refused_ms < SAME_REFUSAL_MS) {
+        return;
+      }
+      refused_ms = timers.now_ms();
+      say({ level: "warning", key: "said.notDone", params: { reason } });
+    },
+  };
 }
 
 const LEVELS: readonly unknown[] = ["info", "warning", "error"] satisfies MessageLevel[];

@@ -36,6 +36,8 @@ _RETRY_S: Final = 0.05
 _ANSWER_S: Final = 120.0
 _LOOK_S: Final = 0.1
 _MOST_OF_A_LOOK_S: Final = 2 * _LOOK_S
+# A busy machine may keep a process waiting for a second or two: that long, silence fails no request.
+_SILENCES_WAITED: Final = 4.0
 
 log = structlog.get_logger("web")
 
@@ -71,8 +73,8 @@ class Listener(Protocol):
 class StationEnd:
     """Made on a running loop. Looks for the vehicle of a data folder until `run` is cancelled.
 
-    `silent_after_s`: a live vehicle says its status twice a second; one that says nothing for so long hangs, and
-    whoever waits for it is told so. None: it may be silent.
+    `silent_after_s`: a live vehicle says its status twice a second; one that says nothing for so long hangs. After four
+    times as long whoever waits for it is told so. None: it may be silent.
     """
 
     def __init__(self, folder: Path, listener: Listener, *, silent_after_s: float | None = None) -> None:
@@ -133,8 +135,13 @@ class StationEnd:
         limit_s = self._silent_after_s
         if limit_s is not None and self.is_connected and not self._is_silent and self._silence_s > limit_s:
             self._is_silent = True
-            self._fail_all(_silent())
             self._listener.on_silence(silent=True)
+        if self._is_given_up():
+            self._fail_all(_silent())
+
+    def _is_given_up(self) -> bool:
+        limit_s = self._silent_after_s
+        return limit_s is not None and self._silence_s > _SILENCES_WAITED * limit_s
 
     def _fail_all(self, error: GatewayError) -> None:
         for future in self._waiting.values():
@@ -142,11 +149,15 @@ class StationEnd:
                 future.set_exception(error)
 
     async def request(self, name: str, by: Asker | None = None, /, **arguments: Any) -> Any:
-        """Send a request and return its result. Raises what the vehicle raised; ConflictError if not connected."""
+        """Send a request and return its result. Raises what the vehicle raised; ConflictError if not connected.
+
+        Of a vehicle that is silent, a question (without `by`) waits a little for the answer; an order is refused at
+        once, because nobody would expect it to be done later.
+        """
         channel = self._channel
         if channel is None:
             raise _away()
-        if self._is_silent:
+        if self._is_given_up() or (self._is_silent and by is not None):
             raise _silent()
         number = next(self._numbers)
         answer: asyncio.Future[Any] = asyncio.get_running_loop().create_future()

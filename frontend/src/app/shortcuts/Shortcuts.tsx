@@ -2,7 +2,6 @@ import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { usePage, useSettings } from "../../store/hooks";
-import { say } from "../../store/messages";
 import { useDialogs } from "../dialogs/useDialogs";
 import { areKeysOn } from "./choice";
 import { nextStep } from "./keys";
@@ -35,7 +34,7 @@ export function Shortcuts() {
       if (page.past !== null && wanted?.group === "flight") {
         // Nothing is armed either: Enter would come when the present is back.
         setArmed(null);
-        say(page.messages, { level: "warning", key: "blocked.past", params: {} }, Date.now());
+        page.messages.say({ level: "warning", key: "blocked.past", params: {} });
       } else {
         setArmed(step.armed);
         step.run?.run({ page, open });

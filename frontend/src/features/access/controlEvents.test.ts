@@ -10,7 +10,11 @@ function told(reason: string, to: object, before: object | null, client: string)
     { type: "event", event: "control", t_s: 1, data: { ...to, reason, before } },
     client,
   );
-  return said === null ? null : `${said.level} ${said.key} ${said.params["name"]} ${said.params["before"]}`;
+  if (said === null) {
+    return null;
+  }
+  const { level, key, params } = said.message;
+  return `${level} ${key} ${params["name"]} ${params["before"]}`;
 }
 
 test("who gets control hears from whom; a page on the station's computer is named in the user's language", () => {
@@ -39,9 +43,24 @@ test("only who asked hears of a refusal", () => {
     t_s: 1,
     data: { ...ana, result: "refused" },
   } as const;
-  expect(controlMessage(closed, "a")?.key).toBe("controlSeen.refused");
+  expect(controlMessage(closed, "a")).toMatchObject({
+    message: { key: "controlSeen.refused" },
+    isAnswer: true,
+  });
   expect(controlMessage(closed, "s")).toBeNull();
   expect(controlMessage({ ...closed, data: { ...ana, result: "given" } }, "a")).toBeNull();
+});
+
+test.each([
+  ["granted", "a", true],
+  ["waited", "a", true],
+  ["handed_over", "a", false],
+  ["asked", "a", true],
+  ["back", "a", false],
+  ["granted", "x", false],
+])("control that is %s, heard by %s, answers what its user asked: %s", (reason, client, isAnswer) => {
+  const data = { ...ana, reason, before: station };
+  expect(controlMessage({ type: "event", event: "control", t_s: 1, data }, client)?.isAnswer).toBe(isAnswer);
 });
 
 test("an event that is not as agreed, or of something else, says nothing", () => {

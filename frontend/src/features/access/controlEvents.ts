@@ -27,17 +27,29 @@ const GONE: ReadonlySet<string> = new Set([
 /** Nobody meant it, or somebody else did. */
 const UNMEANT: ReadonlySet<string> = new Set(["taken", "unanswered", "lost", "silent", "ended"]);
 
+/** The reasons by which the page that got control had asked for it. */
+const ASKED: ReadonlySet<string> = new Set(["asked", "granted", "unanswered", "waited", "taken"]);
+
+/** `isAnswer`: to what the user of this page asked. */
+export interface ControlMessage {
+  readonly message: Message;
+  readonly isAnswer: boolean;
+}
+
 /** The message for a change of control, told to who got it, who had it, and who watches; null for any other event. */
-export function controlMessage({ event, data }: StreamEvent, client: string | null): Message | null {
+export function controlMessage({ event, data }: StreamEvent, client: string | null): ControlMessage | null {
   if (event === "control" && isChange(data)) {
-    return changeMessage(data, client);
+    const isOwn = data.client !== null && data.client === client;
+    return { message: changeMessage(data, client), isAnswer: isOwn && ASKED.has(data.reason) };
   }
   const isRefusal =
     event === "control_request_closed" &&
     isClosed(data) &&
     data.client === client &&
     data.result === "refused";
-  return isRefusal ? { level: "warning", key: "controlSeen.refused", params: {} } : null;
+  return isRefusal
+    ? { message: { level: "warning", key: "controlSeen.refused", params: {} }, isAnswer: true }
+    : null;
 }
 
 function changeMessage(change: Checked<typeof isChange>, client: string | null): Message {

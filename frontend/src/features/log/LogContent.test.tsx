@@ -1,7 +1,6 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
-import { say } from "../../store/messages";
 import { aStatus } from "../../test/aStatus";
 import { aFlightEvent } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
@@ -23,7 +22,7 @@ function lines(): readonly (string | null)[] {
 async function opened(): Promise<Station> {
   const station = new Station();
   station.greet();
-  say(station.page.messages, { level: "error", key: "said.malformed", params: {} }, Date.now());
+  station.page.messages.say({ level: "error", key: "said.malformed", params: {} });
   await user.click(screen.getByRole("button", { name: "Abrir el registro de mensajes" }));
   await screen.findByRole("searchbox", { name: "Buscar en el registro" });
   return station;
@@ -32,10 +31,11 @@ async function opened(): Promise<Station> {
 test("the log opens from the last message and tells what was said and what was recorded", async () => {
   const station = await opened();
   expect(lines()).toHaveLength(1);
+  const said_s = (station.page.messages.getState().last?.said_ms ?? 0) / 1000;
   await asked(station)
     .at(-1)
     ?.answer({
-      events: [aFlightEvent({ kind: "mark", t_s: Date.now() / 1000 - 60, data: { text: "primer viraje" } })],
+      events: [aFlightEvent({ kind: "mark", t_s: said_s - 60, data: { text: "primer viraje" } })],
     });
   expect(lines()).toHaveLength(2);
   expect(lines()[1]).toContain("primer viraje");

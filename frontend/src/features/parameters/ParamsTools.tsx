@@ -7,7 +7,6 @@ import type { ParameterMoves } from "../../protocol/parameters";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import { useConnection, usePage, usePart } from "../../store/hooks";
-import { say } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
@@ -169,7 +168,7 @@ function SaveButton({ unknown }: { unknown: string | undefined }) {
     const firmware = connection.getState().status?.board.firmware ?? null;
     const file = `epf-parameters-${now.toISOString().slice(0, 19).replaceAll(/[-:]/g, "").replace("T", "-")}.json`;
     saveFile(file, new Blob([writeParameterFile(values, firmware, now)], { type: "application/json" }));
-    say(messages, { level: "info", key: "params.saidSaved", params: { file } }, now.getTime());
+    messages.say({ level: "info", key: "params.saidSaved", params: { file } });
   }
 
   return (

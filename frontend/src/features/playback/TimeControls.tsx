@@ -13,7 +13,6 @@ import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatFlightTime } from "../../lib/moment";
 import { usePage, usePart } from "../../store/hooks";
-import { say } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { copyText } from "../../ui/copyText";
 import { Select } from "../../ui/Select";
@@ -147,12 +146,10 @@ function Copy() {
       icon={<Link2 {...ICON} />}
       onPress={() => {
         void copyText(playback.address()).then((isCopied) =>
-          say(
-            messages,
+          messages.say(
             isCopied
               ? { level: "info", key: "time.copied", params: {} }
               : { level: "error", key: "time.notCopied", params: {} },
-            Date.now(),
           ),
         );
       }}

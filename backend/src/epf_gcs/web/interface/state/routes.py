@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 from typing import Final
 
@@ -15,6 +16,8 @@ from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["state"])
 
+_OWN_CHANGE_S: Final = 0.9
+
 _TO_ANOTHER: Final = frozenset({"grant", "refuse", "hand_over"})
 
 
@@ -24,8 +27,9 @@ async def get_status(status: StatusDep, vehicle: VehicleDep, mirror: MirrorDep) 
     # Ask the flight process, so that a caller sees its own last change. The answer is validated only in the tests.
     # Of one that is away or hangs, what is known is told, with its age.
     if vehicle.is_connected:
-        with contextlib.suppress(UnavailableError, ConflictError):
-            mirror.learn(await vehicle.request("status"))
+        with contextlib.suppress(TimeoutError, UnavailableError, ConflictError):
+            async with asyncio.timeout(_OWN_CHANGE_S):
+                mirror.learn(await vehicle.request("status"))
     return Response(status.text(), media_type="application/json")
 
 
