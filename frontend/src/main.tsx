@@ -5,7 +5,7 @@ import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App";
 import { browserWorld } from "./app/browser";
 import { CATALOGUES } from "./app/catalogues";
-import { loadParts } from "./app/loadParts";
+import { loadParts } from "./app/dialogs";
 import { createPage } from "./app/page";
 import { createI18n } from "./i18n/i18n";
 import { PageContext } from "./store/hooks";

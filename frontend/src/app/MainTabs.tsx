@@ -6,10 +6,9 @@ import { choose } from "../store/settings";
 import { Tabs } from "../ui/Tabs";
 import { AllTabs } from "./compact/AllTabs";
 import { TabIcon } from "./compact/TabIcon";
-import { LoadFailure } from "./dialogs/dialogs";
+import { LoadFailure } from "./dialogs";
 import type { Layout } from "./layout";
-import { useOpenTab } from "./openTab";
-import { TABS, type TabName, VIEWS } from "./views";
+import { TABS, type TabName, useOpenTab, VIEWS } from "./views/views";
 
 /** In a bar that does not hold all tabs, what is needed in flight comes first. */
 const FIRST_IN_BAR = ["flight", "map", "plans", "alarms"] as const satisfies readonly TabName[];

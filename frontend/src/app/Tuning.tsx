@@ -3,8 +3,8 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { TOUCH_STICK } from "../features/gamepad/touchStick";
 import { usePart, useSettings } from "../store/hooks";
-import { LoadFailure } from "./dialogs/dialogs";
-import { TOUCH, TUNING } from "./views";
+import { LoadFailure } from "./dialogs";
+import { TOUCH, TUNING } from "./views/views";
 
 /** The tuning view under the tabs, for as long as a loop is chosen. */
 export function Tuning() {

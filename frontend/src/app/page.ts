@@ -56,7 +56,6 @@ import { Pump } from "../store/pump";
 import { type BrowserStorage, choose, createSettings } from "../store/settings";
 import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
-import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
 import { createFlightBook } from "./flightBook";
@@ -66,6 +65,7 @@ import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { twoFlights } from "./twoFlights";
 import { createVehicle } from "./vehicle";
+import { openAddressedTab } from "./views/views";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {

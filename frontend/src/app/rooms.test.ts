@@ -1,5 +1,5 @@
 import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { expect, test } from "vitest";
 
 const source = join(import.meta.dirname, "..");
@@ -36,4 +36,40 @@ test("a rule that forbids rooms names each of them as its folder is named", () =
   const forbidden = [...text.matchAll(/"\*\*\/(\w+)\/\*\*"/g)].map((match) => match[1] ?? "");
   expect(forbidden.length).toBeGreaterThan(20);
   expect([...new Set(forbidden)].filter((room) => !folders.includes(room))).toEqual([]);
+});
+
+/** The folders that each folder's files import from, without tests. */
+function importsOfFolders(): Map<string, Set<string>> {
+  const imports = new Map<string, Set<string>>();
+  for (const name of readdirSync(source, { recursive: true, encoding: "utf8" })) {
+    if (!/\.tsx?$/.test(name) || /\.test\.tsx?$/.test(name)) {
+      continue;
+    }
+    const folder = dirname(name);
+    const reached = imports.get(folder) ?? new Set();
+    imports.set(folder, reached);
+    for (const [, path = ""] of readFileSync(join(source, name), "utf8").matchAll(
+      /(?:from|import) ?\(?"(\.[^"]+)"/g,
+    )) {
+      reached.add(dirname(join(folder, path)));
+    }
+  }
+  return imports;
+}
+
+test("no folder of the page is reached again from what it imports", () => {
+  const imports = importsOfFolders();
+  const circles = [...imports.keys()].filter((folder) => {
+    const seen = new Set<string>();
+    const next = [...(imports.get(folder) ?? [])].filter((reached) => reached !== folder);
+    for (let reached = next.pop(); reached !== undefined; reached = next.pop()) {
+      if (!seen.has(reached)) {
+        seen.add(reached);
+        next.push(...(imports.get(reached) ?? []));
+      }
+    }
+    return seen.has(folder);
+  });
+  expect(imports.size).toBeGreaterThan(40);
+  expect(circles).toEqual([]);
 });

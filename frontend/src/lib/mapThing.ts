@@ -7,3 +7,6 @@ export type MapThing =
   | { readonly kind: "aircraft"; readonly plan: Aircraft }
   | { readonly kind: "home" }
   | ({ readonly kind: "airfield"; readonly code: string } & Position);
+
+/** An airfield that was pressed on the map. */
+export type PickedAirfield = Position & { readonly code: string };

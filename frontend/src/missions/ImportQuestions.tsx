@@ -9,8 +9,7 @@ import { ConfirmDialog } from "../ui/ConfirmDialog";
 import { Dialog } from "../ui/Dialog";
 import { NumberField } from "../ui/NumberField";
 import type { ImportAnswers, ImportQuestion } from "./importQuestion";
-import { askAboutFile, MISSIONS } from "./planDrafts";
-import { usePlans } from "./usePlans";
+import { askAboutFile, MISSIONS, usePlans } from "./planDrafts";
 
 /** Asks what a file does not say before it becomes the plan. Nothing is taken until it is answered. */
 export function ImportQuestions({ plan }: { plan: PlanName }) {

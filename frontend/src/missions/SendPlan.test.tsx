@@ -5,9 +5,8 @@ import type { Waypoint } from "../lib/plan";
 import { type Asked, Station } from "../test/station";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
-import { boardHas, editPlan, MISSIONS } from "./planDrafts";
+import { boardHas, editPlan, MISSIONS, usePlans } from "./planDrafts";
 import { SendPlan } from "./SendPlan";
-import { usePlans } from "./usePlans";
 
 const user = userEvent.setup();
 const first: Waypoint = { latitude_deg: 27.9515, longitude_deg: -15.3741, altitude_ft: 700, speed_kt: 55 };

@@ -7,9 +7,8 @@ import { useAsked } from "../requests/useAsked";
 import { usePart, useTelemetry } from "../store/hooks";
 import { Button } from "../ui/Button";
 import { ConfirmDialog } from "../ui/ConfirmDialog";
-import { MISSIONS } from "./planDrafts";
+import { MISSIONS, usePlans } from "./planDrafts";
 import { PLAN } from "./planFacts";
-import { usePlans } from "./usePlans";
 
 interface Props {
   plan: PlanName;

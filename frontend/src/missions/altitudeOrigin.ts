@@ -4,7 +4,7 @@ import type { Waypoint } from "../lib/plan";
 import type { AltitudeOrigin, ImportedWaypoint } from "../protocol/guards.gen";
 import type { PlanName } from "../protocol/missions";
 import { useUnit } from "../readouts/useUnit";
-import { usePlans } from "./usePlans";
+import { usePlans } from "./planDrafts";
 
 /**
  * What the altitude of a waypoint was converted from when its file was read; null for one that was typed, moved or read

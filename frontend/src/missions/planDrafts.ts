@@ -1,3 +1,4 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber, isObject, list, shape } from "../lib/check";
 import { amended, begun, edited, type History, redone, undone } from "../lib/history";
@@ -6,6 +7,7 @@ import { type ImportedWaypoint, isImportedWaypoint } from "../protocol/guards.ge
 import type { CommandName } from "../protocol/messages.gen";
 import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
 import type { Asker } from "../requests/asking";
+import { usePart } from "../store/hooks";
 import type { Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { BrowserStorage } from "../store/settings";
@@ -191,4 +193,8 @@ function write(storage: BrowserStorage | null, plans: Plans): void {
   } catch {
     // Full or forbidden: the drafts last as long as the page.
   }
+}
+
+export function usePlans<T>(select: (plans: Plans) => T): T {
+  return useStore(usePart(MISSIONS).plans, select);
 }

@@ -1,5 +1,7 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { MapThing } from "../lib/mapThing";
+import { usePart } from "../store/hooks";
 import { partName } from "../store/parts";
 
 /** What is selected, on the maps and in the plans' tables. */
@@ -46,4 +48,9 @@ export function selectRows(store: SelectionStore, plan: "flight" | "hil", rows: 
   store.setState(
     first === undefined ? { thing: null, rows: [] } : { thing: { kind: "waypoint", plan, row: first }, rows },
   );
+}
+
+/** The selection on the map. */
+export function useMapThing(): MapThing | null {
+  return useStore(usePart(SELECTION), ({ thing }) => thing);
 }

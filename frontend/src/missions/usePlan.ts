@@ -3,9 +3,8 @@ import type { Waypoint } from "../lib/plan";
 import { checkPlan, type PlanIssue } from "../lib/planCheck";
 import { PLAN_LIMITS, type PlanName } from "../protocol/missions";
 import { useTelemetry } from "../store/hooks";
-import { type PlanState, planState } from "./planDrafts";
+import { type PlanState, planState, usePlans } from "./planDrafts";
 import { PLAN } from "./planFacts";
-import { usePlans } from "./usePlans";
 
 export interface ShownPlan {
   readonly waypoints: readonly Waypoint[];

@@ -3,7 +3,7 @@ import type { ReactElement } from "react";
 import { I18nextProvider } from "react-i18next";
 import { App } from "../app/App";
 import { CATALOGUES } from "../app/catalogues";
-import { loadParts } from "../app/loadParts";
+import { loadParts } from "../app/dialogs";
 import { createPage, type World } from "../app/page";
 import { SHOWN } from "../app/past";
 import { PLAYBACK } from "../features/playback/playbackRequests";

@@ -4,8 +4,8 @@ import { useTranslation } from "react-i18next";
 import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { AnchoredMenu, MenuChoice } from "../../ui/MenuBar";
-import { useOpenTab } from "../openTab";
-import type { TabName } from "../views";
+import type { TabName } from "../views/views";
+import { useOpenTab } from "../views/views";
 
 /** The last place of a bar that does not hold all tabs: all of them in a menu. */
 export function AllTabs({ tabs }: { readonly tabs: readonly TabName[] }) {

@@ -5,13 +5,13 @@ import { LiveControlPath } from "../../features/controls/LiveControlPath";
 import { usePage, useSettings } from "../../store/hooks";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Toolbar } from "../../ui/Toolbar";
-import { useDialogs } from "../dialogs/useDialogs";
-import { LanguageSwitch, ThemeSelect } from "../Header";
+import { LanguageSwitch, ThemeSelect } from "../bars/Header";
+import { LinkFigures } from "../bars/StatusBar";
 import { Menus } from "../menu/Menus";
-import { useOpenTab } from "../openTab";
-import { LinkFigures } from "../StatusBar";
-import { AutomaticControls, SignalControls } from "../Toolbars";
-import { chooseTimeBar, isTimeBarShown } from "./timeBarChoice";
+import { chooseTimeBar, isTimeBarShown } from "../settings/choices";
+import { AutomaticControls, SignalControls } from "../toolbars/Toolbars";
+import { useDialogs } from "../views/useDialogs";
+import { useOpenTab } from "../views/views";
 import "./drawer.css";
 
 /** Everything for which a small window has no place: both toolbars, the pilot's controls, the menus, the links, the look. */

@@ -2,9 +2,9 @@ import { Menu } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { type Page, PageContext } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import { useDialogs } from "../dialogs/useDialogs";
-import { Control } from "../Header";
-import { LinkState } from "../StatusBar";
+import { Control } from "../bars/Header";
+import { LinkState } from "../bars/StatusBar";
+import { useDialogs } from "../views/useDialogs";
 
 /** Top row of a small window: the drawer with everything in it, the board's link, who has control. */
 export function Strip({ present }: { readonly present: Page }) {

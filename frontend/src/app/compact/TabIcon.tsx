@@ -14,7 +14,7 @@ import {
   Video,
   Wrench,
 } from "lucide-react";
-import type { TabName } from "../views";
+import type { TabName } from "../views/views";
 
 const ICONS: Readonly<Record<TabName, LucideIcon>> = {
   flight: Plane,

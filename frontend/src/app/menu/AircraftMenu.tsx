@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { type Source, useSource } from "../../features/controls/useSource";
+import { type Source, useSource } from "../../features/controls/sourceReturn";
 import { GAMEPADS } from "../../features/gamepad/gamepadList";
 import { TOUCH_STICK } from "../../features/gamepad/touchStick";
 import { useGamepadBlocked } from "../../features/gamepad/useGamepadBlocked";
@@ -10,7 +10,7 @@ import { useBoardBlocked, useGatewayBlocked } from "../../requests/useBlocked";
 import { usePage, usePart, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Menu, MenuAction, MenuGroup, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/useDialogs";
+import { useDialogs } from "../views/useDialogs";
 import { CommandItem, useOutcome } from "./items";
 
 /** Numbers of `servos_control_mode` on the wire. */

@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { readAutopilot, readAutotrim } from "../../features/controls/axes";
-import { useSource } from "../../features/controls/useSource";
+import { useSource } from "../../features/controls/sourceReturn";
 import type { CommandName } from "../../protocol/messages.gen";
 import type { NumberField } from "../../protocol/topics";
 import { ACTIONS } from "../../requests/actions";
@@ -8,7 +8,7 @@ import { useBoardBlocked } from "../../requests/useBlocked";
 import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { Menu, MenuChoice, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/useDialogs";
+import { useDialogs } from "../views/useDialogs";
 import { CommandItem, useOutcome } from "./items";
 
 export function AutopilotMenu() {

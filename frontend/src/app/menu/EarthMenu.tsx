@@ -1,9 +1,9 @@
 import { useTranslation } from "react-i18next";
-import { TRACK_EDITS } from "../../features/map/trackEdits";
+import { TRACK_EDITS } from "../../features/map/track/trackEdits";
 import { useGatewayBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
 import { Menu, MenuAction, MenuLink, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/useDialogs";
+import { useDialogs } from "../views/useDialogs";
 import { useOutcome } from "./items";
 
 export function EarthMenu() {

@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { Menu, MenuAction } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/useDialogs";
+import { useDialogs } from "../views/useDialogs";
 
 export function HelpMenu() {
   const { t } = useTranslation();

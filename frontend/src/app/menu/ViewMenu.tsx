@@ -3,10 +3,10 @@ import { usePage, useSettings } from "../../store/hooks";
 import { choose, LANGUAGES } from "../../store/settings";
 import { THEMES } from "../../theme/theme";
 import { Menu, MenuAction, MenuChoice, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/useDialogs";
 import { BARS } from "../toolbars/Dock";
 import { placeKey } from "../toolbars/MovableToolbar";
 import { placeText } from "../toolbars/places";
+import { useDialogs } from "../views/useDialogs";
 
 export function ViewMenu() {
   const { t } = useTranslation();

@@ -2,7 +2,7 @@ import { useTranslation } from "react-i18next";
 import { useGatewayBlocked } from "../../requests/useBlocked";
 import { useConnection, useTelemetry } from "../../store/hooks";
 import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
-import { useChoosePath } from "../useChoosePath";
+import { useChoosePath } from "../toolbars/useChoosePath";
 import { CommandItem, useOutcome } from "./items";
 
 /** The routes built into the board, by the board's number. */

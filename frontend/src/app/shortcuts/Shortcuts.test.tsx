@@ -2,7 +2,7 @@ import { act, fireEvent, screen } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
 import { TIME_KEYS } from "../../features/playback/timeKeys";
 import { Station } from "../../test/station";
-import { chooseKeys } from "./choice";
+import { chooseKeys } from "../settings/choices";
 import { SHORTCUTS } from "./table";
 
 function flying(): Station {

@@ -6,8 +6,8 @@ import { otherHolder } from "../../requests/useControl";
 import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
-import type { DialogName } from "../dialogs/useDialogs";
-import { TABS, type TabName } from "../views";
+import type { DialogName } from "../views/useDialogs";
+import { TABS, type TabName } from "../views/views";
 
 /** What a shortcut can use. */
 export interface Reach {

@@ -1,7 +1,7 @@
 import { useMemo } from "react";
 import { ParameterField } from "../../features/parameters/ParameterField";
+import { useParameters } from "../../features/parameters/parameterValues";
 import { useFreshParameters } from "../../features/parameters/useFreshParameters";
-import { useParameters } from "../../features/parameters/useParameters";
 import { TuningDock } from "../../features/tuning/TuningDock";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 

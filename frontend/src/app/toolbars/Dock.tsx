@@ -1,8 +1,8 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { AutomaticControls, SignalControls } from "../Toolbars";
 import { MovableToolbar, usePlace } from "./MovableToolbar";
 import type { Edge } from "./places";
+import { AutomaticControls, SignalControls } from "./Toolbars";
 
 /** The two toolbars, in their order. */
 export const BARS = ["automatic", "signal"] as const;

@@ -9,10 +9,10 @@ import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { StaleCross } from "../../ui/StaleCross";
 import type { AttitudeSource } from "./alignment";
+import { useAlignment } from "./alignment";
 import { AttitudeFeed, isWhole } from "./feed";
 import { Instead } from "./Instead";
 import { PictureTools } from "./PictureTools";
-import { useAlignment } from "./useAlignment";
 import { type Shown, useStage } from "./useStage";
 
 export interface PictureSettings {

@@ -10,8 +10,7 @@ import { usePaint } from "../../store/usePaint";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
-import { AHRS, type AttitudeSource, align } from "./alignment";
-import { useAlignment } from "./useAlignment";
+import { AHRS, type AttitudeSource, align, useAlignment } from "./alignment";
 
 interface Props {
   source: AttitudeSource;

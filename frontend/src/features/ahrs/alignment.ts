@@ -1,6 +1,8 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { FieldSamples } from "../../lib/fieldSamples";
 import type { Asker } from "../../requests/asking";
+import { usePart } from "../../store/hooks";
 import { partName } from "../../store/parts";
 
 /** The heading that "AHRS 3D" shows as zero, degrees; null: not aligned. Each source has its own. */
@@ -29,4 +31,8 @@ export function createAlignment(): StoreApi<Alignment> {
 
 export function align(store: StoreApi<Alignment>, source: AttitudeSource, zero_deg: number | null): void {
   store.setState({ [source]: zero_deg });
+}
+
+export function useAlignment<T>(select: (alignment: Alignment) => T): T {
+  return useStore(usePart(AHRS).alignment, select);
 }

@@ -10,7 +10,7 @@ import { usePaint } from "../../store/usePaint";
 import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { AXES, type Axis, axisNumber, axisState, isJoystick } from "./axes";
-import { useSource } from "./useSource";
+import { useSource } from "./sourceReturn";
 
 /** "Controles": stick and throttle of the chosen source, and its autopilot and autotrim. */
 export function ControlsPanel() {

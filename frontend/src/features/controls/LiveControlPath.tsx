@@ -4,7 +4,7 @@ import { ControlPath } from "../../instruments/path/ControlPath";
 import { useStickKind } from "../../readouts/useStick";
 import { useConnection, useTelemetry } from "../../store/hooks";
 import { readAutopilot } from "./axes";
-import { useSource } from "./useSource";
+import { useSource } from "./sourceReturn";
 
 /** The present path of the control signal, as reported by the board and the gateway. */
 export function LiveControlPath() {

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Sample } from "../../protocol/envelope";
+import { useTelemetry } from "../../store/hooks";
 import { partName } from "../../store/parts";
 
 export const AUTOMATICS = ["autopilot", "autotrim"] as const;
@@ -69,4 +70,14 @@ export function takeHeartbeats(store: SourceReturnStore, samples: readonly Sampl
       );
     }
   }
+}
+
+export type Source = "joystick" | "rc";
+
+/** The control source that the board reports; null without a live heartbeat. */
+export function useSource(): Source | null {
+  return useTelemetry((telemetry, now_ms) => {
+    const isJoystick = telemetry.liveFlag("heartbeat", "source_joystick", now_ms);
+    return isJoystick === null ? null : isJoystick ? "joystick" : "rc";
+  });
 }

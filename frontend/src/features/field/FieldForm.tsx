@@ -6,7 +6,7 @@ import { useSentence } from "../../i18n/useSentence";
 import { formatBytes } from "../../lib/format";
 import type { Position } from "../../lib/geodesy";
 import { PlaceField } from "../../missions/PlaceField";
-import { usePlans } from "../../missions/usePlans";
+import { usePlans } from "../../missions/planDrafts";
 import type { FieldSource } from "../../protocol/guards.gen";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";

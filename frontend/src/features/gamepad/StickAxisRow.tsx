@@ -6,9 +6,8 @@ import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { Select } from "../../ui/Select";
-import { GAMEPADS } from "./gamepadList";
+import { GAMEPADS, useGamepads } from "./gamepadList";
 import type { PadInput, StickAxis } from "./stickMapping";
-import { useGamepads } from "./useGamepads";
 
 const DEAD_ZONES_PERCENT = [0, 2, 5, 10, 15, 20, 30] as const;
 

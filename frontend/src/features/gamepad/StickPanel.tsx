@@ -10,11 +10,10 @@ import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
-import { GAMEPADS } from "./gamepadList";
+import { GAMEPADS, useGamepads } from "./gamepadList";
 import { StickAxisRow } from "./StickAxisRow";
 import { STICK_AXES } from "./stickMapping";
 import { useAwaitedAxes, useGamepadBlocked } from "./useGamepadBlocked";
-import { useGamepads } from "./useGamepads";
 import "./stick.css";
 
 /** The pilot's stick: where it comes from, and which axis of this browser's gamepad moves what. */

@@ -1,5 +1,7 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Asker } from "../../requests/asking";
+import { usePart } from "../../store/hooks";
 import { partName } from "../../store/parts";
 import type { Pad, StickAxis, StickMapping } from "./stickMapping";
 
@@ -67,4 +69,9 @@ export function createGamepads(): GamepadStore {
     assigning: null,
     awaited: [],
   }));
+}
+
+/** The gamepads of this browser; their positions are painted, see `GamepadInput.watch`. */
+export function useGamepads<T>(select: (gamepads: Gamepads) => T): T {
+  return useStore(usePart(GAMEPADS).store, select);
 }

@@ -1,9 +1,9 @@
 import { useTranslation } from "react-i18next";
 import { useGatewayBlocked } from "../../requests/useBlocked";
 import { useConnection, useTelemetry } from "../../store/hooks";
+import { useGamepads } from "./gamepadList";
 import { STICK_AXES } from "./stickMapping";
 import { TOUCH_PAD } from "./touchStick";
-import { useGamepads } from "./useGamepads";
 
 /** Why the stick on this page's screen cannot fly now; undefined if it can. */
 export function useTouchBlocked(): string | undefined {

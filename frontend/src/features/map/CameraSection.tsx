@@ -4,7 +4,7 @@ import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { formatFixed, formatHeading } from "../../lib/format";
 import { CAMERA_CHOICE, CAMERAS } from "../../lib/mapCamera";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
-import { LIGHTS } from "../../scene/world/look";
+import { LIGHTS } from "../../scene/look";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import type { TelemetryStore } from "../../store/telemetry";
@@ -12,13 +12,13 @@ import { usePaint } from "../../store/usePaint";
 import { Checkbox } from "../../ui/Checkbox";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
-import { type Showing, showing } from "./aircraftFeed";
-import { FoldingPanel } from "./FoldingPanel";
-import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./flat/useFlat";
-import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./useFlightScene";
-import { useGlobe } from "./useGlobe";
-import { GRATICULE_CHOICE, useGraticule } from "./useGraticule";
-import { LIGHT_CHOICE, useGlobeNames, useLight } from "./useGroundNames";
+import { type Showing, showing } from "./aircraft/aircraftFeed";
+import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./aircraft/useFlightScene";
+import { FoldingPanel } from "./panels/FoldingPanel";
+import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./scenes/useFlat";
+import { useGlobe } from "./scenes/useGlobe";
+import { GRATICULE_CHOICE, useGraticule } from "./scenes/useGraticule";
+import { LIGHT_CHOICE, useGlobeNames, useLight } from "./scenes/useGroundNames";
 
 /** Which map is seen and where from, and which aircraft are on it or why not. */
 export function CameraSection() {

@@ -5,7 +5,7 @@ import { usePage, usePart, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
-import { useMapLayers } from "./layers/useMapLayers";
+import { useMapLayers } from "./layers/layerList";
 
 const SEEN = "map.fieldOffer";
 

@@ -12,8 +12,8 @@ import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Button } from "../../ui/Button";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
+import { useFollowed } from "./aircraft/useFlightScene";
 import { windNow } from "./profile/useWind";
-import { useFollowed } from "./useFlightScene";
 import "./figures.css";
 
 const FOLD = "map.fold.figures";

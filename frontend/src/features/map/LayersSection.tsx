@@ -8,14 +8,13 @@ import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
-import { FoldingPanel } from "./FoldingPanel";
 import { ImportList } from "./layers/ImportList";
 import { LayerRow } from "./layers/LayerRow";
-import { MAP_LAYERS } from "./layers/layerList";
+import { MAP_LAYERS, useMapLayers } from "./layers/layerList";
 import { RemovedList } from "./layers/RemovedList";
 import { TerrainList } from "./layers/TerrainList";
 import { useGround } from "./layers/useGround";
-import { useMapLayers } from "./layers/useMapLayers";
+import { FoldingPanel } from "./panels/FoldingPanel";
 import "./layers/layers.css";
 
 /** The map layers in the user's order, and the terrain. */

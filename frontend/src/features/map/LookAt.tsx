@@ -1,14 +1,14 @@
 import { useTranslation } from "react-i18next";
 import type { Waypoint } from "../../lib/plan";
 import { METRES_PER_FOOT } from "../../lib/units";
+import { useMapThing } from "../../missions/selection";
 import type { PlaceInSpace } from "../../scene/tools/MapTools";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { Select } from "../../ui/Select";
-import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
-import { useHome } from "./plan/useHome";
+import { aircraftPlace, PLACE_TOPIC } from "./aircraft/aircraftPlace";
+import { useHome } from "./aircraft/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
 import { useLookAt } from "./useLookAt";
-import { useMapThing } from "./useMapThing";
 
 /** "Look at" for each thing on the map: aircraft, plans, home, and the waypoint that is selected. */
 export function LookAt() {

@@ -10,10 +10,10 @@ import type { PlaceInSpace } from "../../scene/tools/MapTools";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
-import { aircraftPlace } from "./plan/aircraftPlace";
-import { useHome } from "./plan/useHome";
+import { aircraftPlace } from "./aircraft/aircraftPlace";
+import { useHome } from "./aircraft/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
-import { useMapTools } from "./tools/useMapTools";
+import { useMapTools } from "./scenes/useScreenTools";
 import "./tools/tools.css";
 
 /** Greatest length of the scale bar, pixels. */

@@ -13,10 +13,9 @@ import { Checkbox } from "../../ui/Checkbox";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
-import { FoldingPanel } from "./FoldingPanel";
-import { MAP_LAYERS } from "./layers/layerList";
+import { MAP_LAYERS, useMapLayers } from "./layers/layerList";
 import { SourceForm } from "./layers/SourceForm";
-import { useMapLayers } from "./layers/useMapLayers";
+import { FoldingPanel } from "./panels/FoldingPanel";
 
 const BYTES_PER_MB = 1_000_000;
 const MOST_MB = 100_000;

@@ -2,7 +2,7 @@ import { useTranslation } from "react-i18next";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
-import { FoldingPanel } from "./FoldingPanel";
+import { FoldingPanel } from "./panels/FoldingPanel";
 import { CircuitForm } from "./patterns/CircuitForm";
 import { SurveyForm } from "./patterns/SurveyForm";
 import { useMapPlan } from "./plan/useMapPlan";

@@ -3,20 +3,20 @@ import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
 import type { Waypoint } from "../../lib/plan";
 import type { FlatScene } from "../../scene/flat/FlatScene";
-import { FoldingPanel } from "./FoldingPanel";
+import { EditBar } from "./edit/EditBar";
+import { MapKeys } from "./edit/MapKeys";
+import { MapMenu } from "./edit/MapMenu";
 import { FlatMap } from "./flat/FlatMap";
-import { FlatContext } from "./flat/useFlat";
 import { Attribution } from "./layers/Attribution";
+import { FoldingPanel } from "./panels/FoldingPanel";
 import { FlyHere } from "./plan/FlyHere";
 import { useMapPlan } from "./plan/useMapPlan";
 import { OpenPlanContext } from "./plan/useOpenPlan";
 import { usePlanScene } from "./plan/usePlanScene";
 import { PlanProfile } from "./profile/PlanProfile";
+import { FlatContext } from "./scenes/useFlat";
 import { SurroundingsOnMap } from "./surroundings/SurroundingsOnMap";
-import { EditBar } from "./tools/EditBar";
-import { MapKeys } from "./tools/MapKeys";
-import { MapMenu } from "./tools/MapMenu";
-import { Measuring } from "./tools/Measuring";
+import { useMeasuring } from "./tools/useMeasuring";
 import "./map.css";
 
 /** The map of one plan, beside its table: the same map, tools, menu and keys as in the map's own tab. */
@@ -86,4 +86,10 @@ function useFirstLook(scene: FlatScene | null, plan: Aircraft, waypoints: readon
 
 function ignore(): void {
   // A waypoint that is pulled has no number fields here: the table shows it when it is put down.
+}
+
+/** The distance tool where there is no panel for it. */
+export function Measuring() {
+  useMeasuring();
+  return null;
 }

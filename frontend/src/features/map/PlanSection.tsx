@@ -2,7 +2,7 @@ import { useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { legsOf } from "../../lib/plan";
-import { SELECTION, selectThing } from "../../missions/selection";
+import { SELECTION, selectThing, useMapThing } from "../../missions/selection";
 import { useIssueText } from "../../missions/useIssueText";
 import { useUnit } from "../../readouts/useUnit";
 import { usePage, usePart, useSettings } from "../../store/hooks";
@@ -10,13 +10,12 @@ import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
-import { FoldingPanel } from "./FoldingPanel";
+import { FoldingPanel } from "./panels/FoldingPanel";
 import { PlanTransfer } from "./plan/PlanTransfer";
 import { type MapPlan, useMapPlan } from "./plan/useMapPlan";
 import { useOpenPlan } from "./plan/useOpenPlan";
 import { type HeldWaypoint, usePlanScene } from "./plan/usePlanScene";
 import { WaypointEditor } from "./plan/WaypointEditor";
-import { useMapThing } from "./useMapThing";
 import "./plan/map-plan.css";
 
 /** The flight plans on the globe: what the board has, what is edited here, and the waypoint that is chosen. */

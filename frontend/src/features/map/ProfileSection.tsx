@@ -1,5 +1,5 @@
 import { useTranslation } from "react-i18next";
-import { FoldingPanel } from "./FoldingPanel";
+import { FoldingPanel } from "./panels/FoldingPanel";
 import { useMapPlan } from "./plan/useMapPlan";
 import { useOpenPlan } from "./plan/useOpenPlan";
 import { PlanProfile } from "./profile/PlanProfile";

@@ -6,7 +6,7 @@ import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
-import { SELECTION, selectThing } from "../../missions/selection";
+import { SELECTION, selectThing, useMapThing } from "../../missions/selection";
 import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";
 import { ANGLE, COORDINATE, COUNT, HEADING } from "../../readouts/notations";
 import { ReadoutTable } from "../../readouts/ReadoutTable";
@@ -14,13 +14,12 @@ import { LiveBadge } from "../../readouts/StreamPanel";
 import { type Unit, useUnit } from "../../readouts/useUnit";
 import { usePart } from "../../store/hooks";
 import { useWords } from "../../ui/words";
+import { useHome } from "./aircraft/useHome";
 import { AirfieldValues } from "./airfields/AirfieldValues";
-import { type Fact, Facts, FromAircraft } from "./cardParts";
-import { useHome } from "./plan/useHome";
+import { type Fact, Facts, FromAircraft } from "./panels/cardParts";
 import { useMapPlan } from "./plan/useMapPlan";
-import { useMapTool } from "./tools/useMapTool";
-import { useMapThing } from "./useMapThing";
-import "./plan/card.css";
+import { useMapTool } from "./tools/mapTool";
+import "./panels/card.css";
 
 /** A card with the values of what is selected on the map. Escape closes it. */
 export function ThingCard() {

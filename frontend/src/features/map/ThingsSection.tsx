@@ -1,13 +1,12 @@
 import { House, Plane } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import type { MapThing } from "../../lib/mapThing";
-import { SELECTION, selectThing } from "../../missions/selection";
+import { SELECTION, selectThing, useMapThing } from "../../missions/selection";
 import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import { FoldingPanel } from "./FoldingPanel";
+import { PLACE_TOPIC } from "./aircraft/aircraftPlace";
 import { LookAt } from "./LookAt";
-import { PLACE_TOPIC } from "./plan/aircraftPlace";
-import { useMapThing } from "./useMapThing";
+import { FoldingPanel } from "./panels/FoldingPanel";
 
 /** Buttons for what can be clicked on the map, for keyboard users. Waypoints are selected with their plan. */
 export function ThingsSection() {

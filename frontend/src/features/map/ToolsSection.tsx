@@ -2,7 +2,7 @@ import { Crosshair, Ruler, Trash2, Undo2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { formatHeading } from "../../lib/format";
 import { Button } from "../../ui/Button";
-import { FoldingPanel } from "./FoldingPanel";
+import { FoldingPanel } from "./panels/FoldingPanel";
 import { useMeasuring } from "./tools/useMeasuring";
 
 /** The distance tool: points clicked on the map or taken from its middle, and the distances between them. */

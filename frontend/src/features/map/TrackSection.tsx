@@ -10,16 +10,15 @@ import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
 import { Notice } from "../../ui/Notice";
 import { Select } from "../../ui/Select";
-import { FoldingPanel } from "./FoldingPanel";
-import { useFlat } from "./flat/useFlat";
-import { TrackLegend } from "./TrackLegend";
-import { TrackTools } from "./TrackTools";
-import { TRACK_KINDS } from "./trackKinds";
-import { TRACK_LOG } from "./trackLog";
-import { useTrackLayer } from "./useTrackLayer";
-import { useTrackLook } from "./useTrackLook";
-import { useTracks } from "./useTracks";
-import "./track.css";
+import { FoldingPanel } from "./panels/FoldingPanel";
+import { useFlat } from "./scenes/useFlat";
+import { TrackLegend } from "./track/TrackLegend";
+import { TrackTools } from "./track/TrackTools";
+import { TRACK_KINDS } from "./track/trackKinds";
+import { TRACK_LOG, useTracks } from "./track/trackLog";
+import { useTrackLayer } from "./track/useTrackLayer";
+import { useTrackLook } from "./track/useTrackLook";
+import "./track/track.css";
 
 /** The tracks: how they are drawn, how many points they have, and their commands. */
 export function TrackSection() {

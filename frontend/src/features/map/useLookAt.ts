@@ -2,8 +2,8 @@ import { CAMERA_CHOICE } from "../../lib/mapCamera";
 import type { PlaceInSpace } from "../../scene/tools/MapTools";
 import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
-import { FOLLOW_CHOICE, useFlat } from "./flat/useFlat";
-import { useMapTools } from "./tools/useMapTools";
+import { FOLLOW_CHOICE, useFlat } from "./scenes/useFlat";
+import { useMapTools } from "./scenes/useScreenTools";
 
 /** Shows all of these places on the map that is shown, which follows nothing then. */
 export function useLookAt(): (places: readonly PlaceInSpace[]) => void {

@@ -12,9 +12,8 @@ import { Notice } from "../../ui/Notice";
 import { type DiffLine, DiffTable } from "./DiffTable";
 import type { FileLine, ParameterFile } from "./parameterFile";
 import type { Changes } from "./parameterValues";
-import { PARAMETER_REQUESTS } from "./parameterValues";
+import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
-import { useParameters } from "./useParameters";
 
 /** What several gains shall become: their defaults, or what a file says. */
 export type Diff =

@@ -3,7 +3,7 @@ import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import { StateMark } from "../../ui/StateMark";
 import type { CommandState } from "../../ui/states";
 import type { ParameterFault } from "./parameterFile";
-import { useParameters } from "./useParameters";
+import { useParameters } from "./parameterValues";
 
 /** One line of a change of several gains. `name` is null where it cannot be written, and `fault` says why. */
 export interface DiffLine {

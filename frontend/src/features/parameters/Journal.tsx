@@ -6,7 +6,7 @@ import { useConnection } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { StateMark } from "../../ui/StateMark";
-import { useParameters } from "./useParameters";
+import { useParameters } from "./parameterValues";
 
 /** As many as one looks at; the others come at a press. */
 const FIRST = 20;

@@ -6,9 +6,8 @@ import { useBoardBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
 import { NumberField } from "../../ui/NumberField";
 import type { CommandState } from "../../ui/states";
-import { PARAMETER_REQUESTS } from "./parameterValues";
+import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
-import { useParameters } from "./useParameters";
 
 /**
  * One gain, editable. It shows what the board has; what was asked for only while that is on its way. Confirmed means

@@ -7,8 +7,8 @@ import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { ParameterField } from "./ParameterField";
+import { useParameters } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
-import { useParameters } from "./useParameters";
 
 interface Props {
   name: ParameterName;

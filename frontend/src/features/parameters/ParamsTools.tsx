@@ -13,8 +13,7 @@ import { Notice } from "../../ui/Notice";
 import type { Diff } from "./DiffDialog";
 import { type FileRefusal, readParameterFile, writeParameterFile } from "./parameterFile";
 import type { ParameterValues } from "./parameterValues";
-import { PARAMETER_REQUESTS } from "./parameterValues";
-import { useParameters } from "./useParameters";
+import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
 
 interface Refused {
   readonly file: string;

@@ -10,7 +10,7 @@ import { Journal } from "./Journal";
 import { ParameterRow } from "./ParameterRow";
 import { ParamsTools, Stored } from "./ParamsTools";
 import type { ParameterValues } from "./parameterValues";
-import { useParameters } from "./useParameters";
+import { useParameters } from "./parameterValues";
 import "./params.css";
 import { INFO, useFreshParameters } from "./useFreshParameters";
 

@@ -1,7 +1,9 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import type { HeldParameter, Journal, JournalEntry, ParameterMoves } from "../../protocol/parameters";
 import type { Asker } from "../../requests/asking";
+import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
@@ -99,4 +101,8 @@ export function takeStored(store: ParameterStore, at_ms: number): void {
 
 function fill(of: (name: ParameterName) => HeldParameter): ParameterValues["held"] {
   return Object.fromEntries(PARAMETERS.map(({ name }) => [name, of(name)])) as ParameterValues["held"];
+}
+
+export function useParameters<T>(select: (values: ParameterValues) => T): T {
+  return useStore(usePart(PARAMETER_REQUESTS).values, select);
 }

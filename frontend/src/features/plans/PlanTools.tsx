@@ -2,12 +2,11 @@ import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen } from "lucid
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { ImportQuestions } from "../../missions/ImportQuestions";
-import { MISSIONS } from "../../missions/planDrafts";
+import { MISSIONS, usePlans } from "../../missions/planDrafts";
 import { PLAN } from "../../missions/planFacts";
 import { SendPlan } from "../../missions/SendPlan";
 import { useNoTransfer } from "../../missions/useNoTransfer";
 import type { ShownPlan } from "../../missions/usePlan";
-import { usePlans } from "../../missions/usePlans";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
 import { ACTIONS } from "../../requests/actions";
 import { CommandButton } from "../../requests/CommandButton";

@@ -1,7 +1,6 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { editPlan, MISSIONS, type RouteCommand } from "../../missions/planDrafts";
-import { usePlans } from "../../missions/usePlans";
+import { editPlan, MISSIONS, type RouteCommand, usePlans } from "../../missions/planDrafts";
 import { ROUTES } from "../../protocol/messages.gen";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";

@@ -1,7 +1,6 @@
 import { ArrowDown, ArrowUp, Plus, Redo2, Trash2, Undo2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { MISSIONS, redoPlan, undoPlan } from "../../missions/planDrafts";
-import { usePlans } from "../../missions/usePlans";
+import { MISSIONS, redoPlan, undoPlan, usePlans } from "../../missions/planDrafts";
 import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
 import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";

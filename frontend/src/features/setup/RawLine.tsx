@@ -12,8 +12,7 @@ import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { TextField } from "../../ui/TextField";
 import type { ConsoleEntry } from "./consoleLog";
-import { BOARD_CONSOLE } from "./consoleLog";
-import { useConsole } from "./useConsole";
+import { BOARD_CONSOLE, useConsole } from "./consoleLog";
 
 /** A line that the gateway accepts for the board's shell: printable ASCII. */
 const LINE = /^[\x20-\x7e]{1,200}$/;

@@ -1,4 +1,6 @@
+import { useSyncExternalStore } from "react";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { usePage, usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
@@ -47,4 +49,11 @@ export function note(store: ConsoleStore, entry: Omit<ConsoleEntry, "number">): 
 
 export function clearConsole(store: ConsoleStore): void {
   store.setState({ entries: [], dropped: 0 });
+}
+
+/** The raw line's log, read ten times a second: a fast board must not render for each line. */
+export function useConsole(): ConsoleLog {
+  const { pump } = usePage();
+  const boardConsole = usePart(BOARD_CONSOLE);
+  return useSyncExternalStore(pump.onTick, () => boardConsole.store.getState());
 }

@@ -1,6 +1,6 @@
 import type { Position } from "../../lib/geodesy";
 import { FENCE, WARNED } from "../colours";
-import { nearest } from "../plan/geometry";
+import { nearest } from "../legs/geometry";
 import type { Grip } from "../tools/MapPointer";
 import { drawDistance, type MarkedPlace } from "./flatThings";
 import { drawLine } from "./ink";

@@ -1,4 +1,4 @@
-import { GROUND, type Light } from "../world/look";
+import { GROUND, type Light } from "../look";
 import { levelFor, WORLD_TILE_PX } from "../world/tiling";
 import type { World } from "../world/World";
 import { type FlatView, metresPerPixel, worldSize_px, worldX, worldY } from "./projection";

@@ -1,6 +1,6 @@
 import { describe, expect, test, vi } from "vitest";
 import type { Waypoint } from "../../lib/plan";
-import type { DrawnPlan } from "../plan/shape";
+import type { DrawnPlan } from "../legs/shape";
 import { FlatPlans } from "./FlatPlans";
 import type { FlatAircraft } from "./flatThings";
 import { type FlatView, fromScreen, panned, toScreen } from "./projection";

@@ -1,4 +1,4 @@
-import { REACH_PX, reachOf } from "../plan/target";
+import { REACH_PX, reachOf } from "../legs/target";
 import { type GestureHands, Gestures } from "../tools/Gestures";
 import type { Drag, Grip } from "../tools/MapPointer";
 import type { ScreenPoint } from "./projection";

@@ -4,7 +4,7 @@ import { TrackPoints } from "../../lib/track/trackPoints";
 import { ManualAnimationFrames } from "../../test/animationFrames";
 import { installCanvas } from "../../test/canvas";
 import { openFlatMap } from "../../test/flatMap";
-import type { GroundPlace, MapTarget } from "../plan/target";
+import type { GroundPlace, MapTarget } from "../legs/target";
 import type { AirfieldAt } from "../world/cell";
 import type { NamedThing } from "../world/things";
 import type { FlatAircraft } from "./flatThings";

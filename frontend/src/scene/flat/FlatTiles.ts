@@ -1,4 +1,4 @@
-import type { ImagerySource } from "../globe/imagery";
+import type { ImagerySource } from "../globe/chart/imagery";
 import { type FlatView, TILE_PX, worldSize_px, worldX, worldY } from "./projection";
 
 export interface FlatLayer extends ImagerySource {

@@ -3,7 +3,7 @@ import { ThinnedTrack } from "../../lib/track/thinnedTrack";
 import { kept, type Thinned } from "../../lib/track/thinning";
 import { type Colouring, colourOf, type Range, SCALES } from "../../lib/track/trackColours";
 import type { TrackPoints } from "../../lib/track/trackPoints";
-import { type Box, boxOf, overlaps } from "../globe/chart/geometry";
+import { type Box, boxOf, overlaps } from "../world/geometry";
 import { boxSeen, type FlatView, metresPerPixel, toScreen } from "./projection";
 
 export interface FlatTrackLook {

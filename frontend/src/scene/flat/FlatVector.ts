@@ -1,6 +1,6 @@
 import type { ShownText } from "../labels/LabelSheet";
+import type { Light } from "../look";
 import { sourceOf } from "../vector/VectorTiles";
-import type { Light } from "../world/look";
 import type { DrawnVector } from "../world/messages";
 import type { World } from "../world/World";
 import type { FlatLayer } from "./FlatTiles";

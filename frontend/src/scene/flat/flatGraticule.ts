@@ -1,5 +1,5 @@
 import { angleText, type CompassLetters, graticuleStep_s, linesBetween_s } from "../globe/chart/graticule";
-import { GRATICULE_TEXT } from "../labels/graticuleText";
+import { GRATICULE_TEXT } from "../lettering";
 import { boxSeen, type FlatView, toScreen } from "./projection";
 import type { Words } from "./Words";
 

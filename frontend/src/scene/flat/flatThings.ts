@@ -1,8 +1,8 @@
 import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
 import { EDGE, HOME, MEASURE, PLAN, STRONG, UNSENT } from "../colours";
-import { legPoints } from "../plan/geometry";
-import { type Dot, type DrawnPlan, dotsOf, type LineKind, linesOf } from "../plan/shape";
+import { legPoints } from "../legs/geometry";
+import { type Dot, type DrawnPlan, dotsOf, type LineKind, linesOf } from "../legs/shape";
 import { drawDot, drawLine, type Pen } from "./ink";
 import { type FlatView, type ScreenPoint, toScreen } from "./projection";
 import type { Words } from "./Words";

@@ -1,5 +1,5 @@
 import { EARTH_RADIUS_M, type Position } from "../../lib/geodesy";
-import type { Box } from "../globe/chart/geometry";
+import type { Box } from "../world/geometry";
 
 /** A tile of level 0, which holds the whole map. */
 export const TILE_PX = 256;

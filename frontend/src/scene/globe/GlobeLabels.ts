@@ -1,7 +1,7 @@
 import { Cartesian3, type Scene } from "@cesium/engine";
 import type { Spot } from "../../lib/labels";
 import { LabelSheet, type ShownText } from "../labels/LabelSheet";
-import type { Light } from "../world/look";
+import type { Light } from "../look";
 import { Projector } from "./Projector";
 import { type Horizon, horizonThrough, paintHaze, paintSky } from "./sky";
 

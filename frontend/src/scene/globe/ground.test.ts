@@ -8,7 +8,7 @@ import {
   UrlTemplateImageryProvider,
 } from "@cesium/engine";
 import { beforeEach, describe, expect, test, vi } from "vitest";
-import { GROUND } from "../world/look";
+import { GROUND } from "../look";
 import { CanvasTiles } from "./chart/CanvasTiles";
 import { WorldTiles } from "./chart/WorldTiles";
 import type { Globe } from "./Globe";

@@ -9,19 +9,19 @@ import {
   TileMapServiceImageryProvider,
   UrlTemplateImageryProvider,
 } from "@cesium/engine";
-import { GROUND, type Light } from "../world/look";
+import { GROUND, type Light } from "../look";
 import { keptVectors, keptWorld } from "../world/World";
 import { CanvasTiles } from "./chart/CanvasTiles";
 import { drawGraticule } from "./chart/graticule";
+import { coveredBy, type ImagerySource, lowestLevel } from "./chart/imagery";
 import { VectorImagery } from "./chart/VectorImagery";
 import { WorldTiles } from "./chart/WorldTiles";
-import { coveredBy, type ImagerySource, lowestLevel } from "./imagery";
 
 /** The graticule's deepest level: tiles of 150 m. */
 const GRATICULE_LEVELS = 17;
 const WORLD = { west_deg: -180, south_deg: -90, east_deg: 180, north_deg: 90 };
 
-export type { ImagerySource } from "./imagery";
+export type { ImagerySource } from "./chart/imagery";
 
 /** Tiles of heights above sea level: the folder of `layer.json`. */
 export interface TerrainSource {

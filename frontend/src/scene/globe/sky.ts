@@ -1,6 +1,6 @@
 import { EARTH_RADIUS_M } from "../../lib/geodesy";
 import type { Spot } from "../../lib/labels";
-import type { Light } from "../world/look";
+import type { Light } from "../look";
 
 /** Where the edge of the Earth is on the picture: a circle around a middle on the Earth's side. */
 export interface Horizon {

@@ -2,8 +2,8 @@ import { PrimitiveCollection } from "@cesium/engine";
 import { beforeAll, expect, test, vi } from "vitest";
 import type { Globe } from "../globe/Globe";
 import type { SpaceText } from "../globe/GlobeLabels";
+import type { DrawnPlan } from "../legs/shape";
 import { PlanLayer } from "./PlanLayer";
-import type { DrawnPlan } from "./shape";
 
 const plan: DrawnPlan = {
   waypoints: [

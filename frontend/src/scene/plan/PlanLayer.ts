@@ -3,9 +3,9 @@ import type { Aircraft } from "../../lib/aircraft";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
 import type { SpaceText } from "../globe/GlobeLabels";
+import { type Dot, type DrawnPlan, dotsOf, linesOf } from "../legs/shape";
 import { FLIGHT_RANK, PLAIN_FONT, STRONG_FONT, THROUGH_GROUND_M } from "../lettering";
 import { RibbonLines } from "../ribbon/RibbonLines";
-import { type Dot, type DrawnPlan, dotsOf, linesOf } from "./shape";
 import { ACTIVE_COLOUR, EDGE_COLOUR, looksOf, PLAN_COLOUR, UNSENT_COLOUR } from "./style";
 
 /** One flight plan on the globe. Rebuilt only when it changes. */

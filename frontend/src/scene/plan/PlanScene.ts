@@ -5,14 +5,14 @@ import type { MapThing } from "../../lib/mapThing";
 import { carried } from "../../lib/planEdit";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
+import { awayFromLine, nearest, type Point, type Spot } from "../legs/geometry";
+import { legAt } from "../legs/legHit";
+import type { DrawnPlan } from "../legs/shape";
+import { LEG_REACH_PX, type MapTarget, REACH_PX } from "../legs/target";
 import { type Grip, type MapPointer, pointerOf } from "../tools/MapPointer";
 import { spotOnScreen } from "../tools/screen";
-import { awayFromLine, nearest, type Point, type Spot } from "./geometry";
 import { HomeMark } from "./HomeMark";
-import { legAt } from "./legHit";
 import { PlanLayer } from "./PlanLayer";
-import type { DrawnPlan } from "./shape";
-import { LEG_REACH_PX, type MapTarget, REACH_PX } from "./target";
 import { type DragWay, WaypointDrag } from "./WaypointDrag";
 
 export interface PlanListener {

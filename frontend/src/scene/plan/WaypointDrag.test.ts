@@ -11,7 +11,7 @@ import {
 } from "@cesium/engine";
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
-import type { Point, Spot } from "./geometry";
+import type { Point, Spot } from "../legs/geometry";
 import { WaypointDrag } from "./WaypointDrag";
 
 const WAYPOINT: Waypoint = { latitude_deg: 27.93, longitude_deg: -15.387, altitude_ft: 1000, speed_kt: 55 };

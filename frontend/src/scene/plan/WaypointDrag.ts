@@ -10,7 +10,14 @@ import {
 } from "@cesium/engine";
 import type { Waypoint } from "../../lib/plan";
 import { METRES_PER_FOOT } from "../../lib/units";
-import { type Enu, heightAlongVertical, type Point, type Sight, type Spot, throughLevel } from "./geometry";
+import {
+  type Enu,
+  heightAlongVertical,
+  type Point,
+  type Sight,
+  type Spot,
+  throughLevel,
+} from "../legs/geometry";
 
 /** Horizontally at its height, or vertically at its position. */
 export type DragWay = "level" | "upright";

@@ -1,8 +1,8 @@
 import { Color } from "@cesium/engine";
 import type { Aircraft } from "../../lib/aircraft";
 import { EDGE, PLAN, STRONG, UNSENT } from "../colours";
+import type { LineKind } from "../legs/shape";
 import type { LineLook } from "../ribbon/RibbonLines";
-import type { LineKind } from "./shape";
 
 export const PLAN_COLOUR: Readonly<Record<Aircraft, Color>> = {
   flight: Color.fromCssColorString(PLAN.flight),

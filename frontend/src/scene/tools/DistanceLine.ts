@@ -3,9 +3,9 @@ import type { Position } from "../../lib/geodesy";
 import { EDGE, MEASURE } from "../colours";
 import type { Globe } from "../globe/Globe";
 import type { SpaceText } from "../globe/GlobeLabels";
+import { legPoints } from "../legs/geometry";
+import type { GroundPlace } from "../legs/target";
 import { FLIGHT_RANK, PLAIN_FONT, THROUGH_GROUND_M } from "../lettering";
-import { legPoints } from "../plan/geometry";
-import type { GroundPlace } from "../plan/target";
 import { type LineLook, type RibbonLine, RibbonLines } from "../ribbon/RibbonLines";
 import type { Place } from "../ribbon/vertices";
 

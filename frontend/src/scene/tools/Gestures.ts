@@ -1,4 +1,4 @@
-import type { Spot } from "../plan/geometry";
+import type { Spot } from "../legs/geometry";
 
 /** What a person does at one spot of a map, without pulling anything. */
 export interface GestureHands {

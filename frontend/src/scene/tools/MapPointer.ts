@@ -1,8 +1,8 @@
 import { Cartesian2, Cartographic, Math as CesiumMath, EllipsoidTerrainProvider } from "@cesium/engine";
 import { GuardedCalls } from "../../lib/guardedCalls";
 import type { Globe } from "../globe/Globe";
-import type { Spot } from "../plan/geometry";
-import { type GroundPlace, REACH_PX, reachOf } from "../plan/target";
+import type { Spot } from "../legs/geometry";
+import { type GroundPlace, REACH_PX, reachOf } from "../legs/target";
 import { type GestureHands, Gestures } from "./Gestures";
 
 /** Something that is being dragged. */

@@ -9,7 +9,7 @@ import {
 import type { Position } from "../../lib/geodesy";
 import { AREA, FENCE, WARNED } from "../colours";
 import type { Globe } from "../globe/Globe";
-import type { GroundPlace } from "../plan/target";
+import type { GroundPlace } from "../legs/target";
 import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
 import { type MapPointer, pointerOf } from "./MapPointer";
 

@@ -1,5 +1,5 @@
 import { Cartesian2, Cartesian3, type Scene, SceneTransforms } from "@cesium/engine";
-import type { Spot } from "../plan/geometry";
+import type { Spot } from "../legs/geometry";
 
 /**
  * Greatest depression of the camera below a point's horizon, as a sine, from which things above the point are still

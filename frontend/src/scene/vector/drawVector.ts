@@ -1,4 +1,4 @@
-import type { Light } from "../world/look";
+import type { Light } from "../look";
 import type { VectorFeature, VectorLayer } from "./vectorTile";
 
 /** What a feature is drawn as, whatever its source calls it. */

@@ -3,9 +3,9 @@ import { join } from "node:path";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { distance_m } from "../../lib/geodesy";
 import { DrawnContext, DrawnPath } from "../../test/drawnContext";
+import { GROUND } from "../look";
 import { answerOf } from "./answer";
 import { CellStore } from "./cellStore";
-import { GROUND } from "./look";
 import type { WorldQuestion } from "./messages";
 import type { NamedThing, NearAirfield } from "./things";
 

@@ -1,11 +1,11 @@
 import { distance_m, METRES_PER_DEGREE, type Position } from "../../lib/geodesy";
-import type { Box } from "../globe/chart/geometry";
+import { GROUND } from "../look";
 import { drawVector, namesOf } from "../vector/drawVector";
 import { VECTOR_PX, VectorTiles } from "../vector/VectorTiles";
 import type { Cell } from "./cell";
 import type { CellStore } from "./cellStore";
 import { drawTile } from "./drawTile";
-import { GROUND } from "./look";
+import type { Box } from "./geometry";
 import type { DrawnVector, WorldAnswers, WorldQuestion } from "./messages";
 import { highest, type NearAirfield, nearestOf, thingsIn } from "./things";
 import { frameOf, levelFor, WORLD_TILE_PX } from "./tiling";

@@ -3,10 +3,10 @@ import { join } from "node:path";
 import { gunzipSync } from "node:zlib";
 import { describe, expect, test } from "vitest";
 import { distance_m } from "../../lib/geodesy";
-import { boxOf } from "../globe/chart/geometry";
-import { runwayLength_m } from "../globe/chart/runways";
 import { type Cell, type CellPlace, decodeCell, SHAPE_UNITS } from "./cell";
 import { CellStore } from "./cellStore";
+import { boxOf } from "./geometry";
+import { runwayLength_m } from "./runways";
 import { highest, nearestOf, thingsIn } from "./things";
 import { cellsOf } from "./tiling";
 

@@ -1,5 +1,5 @@
-import type { Box } from "../globe/chart/geometry";
 import { type Cell, type CellPlace, decodeCell, type WorldLevel } from "./cell";
+import type { Box } from "./geometry";
 import { cellsOf } from "./tiling";
 
 const FOLDER = "/map/world";

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { type Drawn, DrawnContext, DrawnPath, type DrawnPoint } from "../../test/drawnContext";
+import { GROUND } from "../look";
 import { type AirfieldAt, type Cell, type RunwayOf, SHAPE_UNITS, type Shapes } from "./cell";
 import { drawTile } from "./drawTile";
-import { GROUND } from "./look";
 import { northing, type Projection, type TileFrame, WORLD_TILE_PX } from "./tiling";
 
 const LOOK = GROUND.day;

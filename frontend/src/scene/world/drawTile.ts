@@ -1,7 +1,7 @@
 import type { Position } from "../../lib/geodesy";
-import { drawRunway } from "../globe/chart/runways";
+import type { GroundLook } from "../look";
 import { type Cell, SHAPE_UNITS, type Shapes, southOf, westOf } from "./cell";
-import type { GroundLook } from "./look";
+import { drawRunway } from "./runways";
 import { northing, type Projection, type TileFrame, WORLD_TILE_PX } from "./tiling";
 
 type Context = OffscreenCanvasRenderingContext2D;

@@ -1,6 +1,6 @@
 import type { Position } from "../../lib/geodesy";
+import type { Light } from "../look";
 import type { TilePart, VectorName } from "../vector/drawVector";
-import type { Light } from "./look";
 import type { NamedThing, NamedZone, NearAirfield } from "./things";
 import type { TilePlace } from "./tiling";
 

@@ -1,6 +1,6 @@
-import type { Box } from "../globe/chart/geometry";
-import { tileBox } from "../globe/chart/geometry";
 import type { CellPlace, WorldLevel } from "./cell";
+import type { Box } from "./geometry";
+import { tileBox } from "./geometry";
 
 /** The globe's tiles are squares of degrees; those of the flat map are of Web Mercator. */
 export type Projection = "geographic" | "mercator";

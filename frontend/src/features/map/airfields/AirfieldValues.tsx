@@ -3,10 +3,10 @@ import { useTranslation } from "react-i18next";
 import type { Position } from "../../../lib/geodesy";
 import { METRES_PER_FOOT } from "../../../lib/units";
 import { useUnit } from "../../../readouts/useUnit";
-import { runwayLength_m } from "../../../scene/globe/chart/runways";
 import type { AirfieldAt, RunwayOf } from "../../../scene/world/cell";
+import { runwayLength_m } from "../../../scene/world/runways";
 import { keptWorld } from "../../../scene/world/World";
-import { Facts, FromAircraft } from "../cardParts";
+import { Facts, FromAircraft } from "../panels/cardParts";
 import "./airfields.css";
 
 type Read = AirfieldAt | "reading" | "failed";

@@ -3,17 +3,16 @@ import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatHeading } from "../../../lib/format";
 import { bearing_deg, distance_m, type Position } from "../../../lib/geodesy";
-import { SELECTION, selectThing } from "../../../missions/selection";
+import { SELECTION, selectThing, useMapThing } from "../../../missions/selection";
 import { useUnit } from "../../../readouts/useUnit";
 import type { NearAirfield } from "../../../scene/world/things";
 import { keptWorld } from "../../../scene/world/World";
 import { usePart, useTelemetry } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { Panel } from "../../../ui/Panel";
-import { aircraftPlace } from "../plan/aircraftPlace";
-import { useHome } from "../plan/useHome";
-import { useFollowed } from "../useFlightScene";
-import { useMapThing } from "../useMapThing";
+import { aircraftPlace } from "../aircraft/aircraftPlace";
+import { useFollowed } from "../aircraft/useFlightScene";
+import { useHome } from "../aircraft/useHome";
 import "./airfields.css";
 
 /** So many are listed. */

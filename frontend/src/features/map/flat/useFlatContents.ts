@@ -2,13 +2,13 @@ import { useMemo } from "react";
 import { AIRCRAFT } from "../../../lib/aircraft";
 import type { FlatContents } from "../../../scene/flat/FlatScene";
 import { usePart, useSettings } from "../../../store/hooks";
+import { useMapLayers } from "../layers/layerList";
 import { shownLayers, stackOfLayers } from "../layers/useGround";
-import { useMapLayers } from "../layers/useMapLayers";
-import { TRACK_KINDS } from "../trackKinds";
-import { TRACK_LOG } from "../trackLog";
-import { useGraticule } from "../useGraticule";
-import { useCountries, useLight } from "../useGroundNames";
-import { useTrackLook } from "../useTrackLook";
+import { useGraticule } from "../scenes/useGraticule";
+import { useCountries, useLight } from "../scenes/useGroundNames";
+import { TRACK_KINDS } from "../track/trackKinds";
+import { TRACK_LOG } from "../track/trackLog";
+import { useTrackLook } from "../track/useTrackLook";
 
 /** What the flat map shows beside the plans: the same layers and tracks that are chosen for the globe. */
 export function useFlatContents(): FlatContents {

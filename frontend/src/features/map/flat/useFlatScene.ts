@@ -1,8 +1,8 @@
 import { type RefObject, useEffect, useRef, useState } from "react";
 import type { Position } from "../../../lib/geodesy";
+import type { PickedAirfield } from "../../../lib/mapThing";
 import { FlatScene } from "../../../scene/flat/FlatScene";
 import { metresPerPixel } from "../../../scene/flat/projection";
-import type { PickedAirfield } from "../../../scene/tools/airfields";
 import { keptWorld } from "../../../scene/world/World";
 
 interface Listener {

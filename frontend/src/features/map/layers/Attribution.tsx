@@ -1,8 +1,8 @@
 import { useTranslation } from "react-i18next";
 import { useSettings } from "../../../store/hooks";
-import { useFlat } from "../flat/useFlat";
+import { useFlat } from "../scenes/useFlat";
+import { useMapLayers } from "./layerList";
 import { stackOfLayers } from "./useGround";
-import { useMapLayers } from "./useMapLayers";
 
 /** The attributions of the visible layers, and of the map that ships with the page. */
 export function Attribution() {

@@ -9,8 +9,7 @@ import { usePart } from "../../../store/hooks";
 import { failureMessage } from "../../../store/messages";
 import { Button } from "../../../ui/Button";
 import { Notice } from "../../../ui/Notice";
-import { MAP_LAYERS } from "./layerList";
-import { useMapLayers } from "./useMapLayers";
+import { MAP_LAYERS, useMapLayers } from "./layerList";
 
 /** Files being imported, and failed imports. */
 export function ImportList() {

@@ -4,8 +4,7 @@ import { useAsked } from "../../../requests/useAsked";
 import { useGatewayBlocked } from "../../../requests/useBlocked";
 import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
-import { MAP_LAYERS } from "./layerList";
-import { useMapLayers } from "./useMapLayers";
+import { MAP_LAYERS, useMapLayers } from "./layerList";
 
 /** Layers removed here, with a button to restore each. */
 export function RemovedList() {

@@ -5,7 +5,7 @@ import { isConverting, type MapLayer } from "../../../protocol/mapLayers";
 import { failureMessage } from "../../../store/messages";
 import { Notice } from "../../../ui/Notice";
 import { Select } from "../../../ui/Select";
-import { useFlat } from "../flat/useFlat";
+import { useFlat } from "../scenes/useFlat";
 import { RemoveLayer } from "./LayerRow";
 import type { GroundChoice } from "./useGround";
 

@@ -1,6 +1,8 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { MapImport, MapLayer, MapOnline, OnlineChoice } from "../../../protocol/mapLayers";
 import type { Asker } from "../../../requests/asking";
+import { usePart } from "../../../store/hooks";
 import type { Message } from "../../../store/messages";
 import { partName } from "../../../store/parts";
 
@@ -59,4 +61,8 @@ export function noteImport(store: MapLayerStore, entry: MapImport): void {
 export function forgetImport(store: MapLayerStore, id: string): void {
   const { [id]: _, ...imports } = store.getState().imports;
   store.setState({ imports });
+}
+
+export function useMapLayers<T>(select: (layers: MapLayers) => T): T {
+  return useStore(usePart(MAP_LAYERS).store, select);
 }

@@ -3,9 +3,9 @@ import type { MapLayer } from "../../../protocol/mapLayers";
 import type { ShownLayer } from "../../../scene/tools/LayerStack";
 import { usePage, useSettings } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
-import { useGlobeLayer } from "../useGlobe";
+import { useGlobeLayer } from "../scenes/useGlobe";
+import { useMapLayers } from "./layerList";
 import { movedLayer, rememberedStack, type Stacked, stackOf, withLayer } from "./mapStack";
-import { useMapLayers } from "./useMapLayers";
 
 const STACK = "map.layers.stack";
 const TERRAIN = "map.layers.terrain";

@@ -8,7 +8,7 @@ import { Button } from "../../../ui/Button";
 import { SegmentedSwitch } from "../../../ui/SegmentedSwitch";
 import { Select } from "../../../ui/Select";
 import type { MapPlan } from "../plan/useMapPlan";
-import { useScreenTools } from "../tools/useScreenTools";
+import { useScreenTools } from "../scenes/useScreenTools";
 import { PatternButtons } from "./PatternButtons";
 import { AngleField, HeightField, LengthField, SpeedField } from "./PatternFields";
 import { RUNWAYS, useRunways } from "./runwayChoices";

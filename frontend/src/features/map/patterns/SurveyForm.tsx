@@ -7,9 +7,8 @@ import { PLAN_LIMITS } from "../../../protocol/missions";
 import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import type { MapPlan } from "../plan/useMapPlan";
-import { chooseTool, MAP_TOOL } from "../tools/mapTool";
-import { useMapTool } from "../tools/useMapTool";
-import { useScreenTools } from "../tools/useScreenTools";
+import { useScreenTools } from "../scenes/useScreenTools";
+import { chooseTool, MAP_TOOL, useMapTool } from "../tools/mapTool";
 import { PatternButtons } from "./PatternButtons";
 import { AngleField, HeightField, LengthField, SpeedField } from "./PatternFields";
 

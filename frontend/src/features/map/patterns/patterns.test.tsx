@@ -9,8 +9,8 @@ import { answerMap } from "../../../test/mapWorker";
 import { Station } from "../../../test/station";
 import { WORDS } from "../../../ui/test/testWords";
 import { WordsProvider } from "../../../ui/words";
-import { FlatContext } from "../flat/useFlat";
 import { useMapPlan } from "../plan/useMapPlan";
+import { FlatContext } from "../scenes/useFlat";
 import { CircuitForm } from "./CircuitForm";
 import { SurveyForm } from "./SurveyForm";
 

@@ -13,7 +13,7 @@ import { usePage, usePart } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { NumberField } from "../../../ui/NumberField";
 import { SegmentedSwitch } from "../../../ui/SegmentedSwitch";
-import { useFlat } from "../flat/useFlat";
+import { useFlat } from "../scenes/useFlat";
 import type { HeldWaypoint } from "./usePlanScene";
 import { STEP_CHOICE, STEPS, type Step, useStepChoice } from "./useStep";
 

@@ -1,7 +1,7 @@
 import { createContext, useContext } from "react";
 import { AIRCRAFT, type Aircraft } from "../../../lib/aircraft";
+import { useMapThing } from "../../../missions/selection";
 import { useSettings } from "../../../store/hooks";
-import { useMapThing } from "../useMapThing";
 import type { MapPlan } from "./useMapPlan";
 
 /** The plan of a map that shows only one; null: the map shows both. */

@@ -2,11 +2,10 @@ import { useCallback, useMemo } from "react";
 import type { Aircraft } from "../../../lib/aircraft";
 import { SELECTION, selectThing, toggleThing } from "../../../missions/selection";
 import { useWaypointEdits } from "../../../missions/useWaypointEdits";
+import type { MapTarget } from "../../../scene/legs/target";
 import type { PlanListener } from "../../../scene/plan/PlanScene";
-import type { MapTarget } from "../../../scene/plan/target";
 import { usePart } from "../../../store/hooks";
-import { MAP_TOOL, type OpenMenu } from "../tools/mapTool";
-import { useMapTool } from "../tools/useMapTool";
+import { MAP_TOOL, type OpenMenu, useMapTool } from "../tools/mapTool";
 import type { MapPlan } from "./useMapPlan";
 
 type Hands = Pick<PlanListener, "pick" | "tap" | "double" | "menu">;

@@ -5,19 +5,18 @@ import type { Aircraft } from "../../../lib/aircraft";
 import { unsentOf, type Waypoint } from "../../../lib/plan";
 import { carried } from "../../../lib/planEdit";
 import { editPlan, MISSIONS } from "../../../missions/planDrafts";
-import { SELECTION } from "../../../missions/selection";
+import { SELECTION, useMapThing } from "../../../missions/selection";
 import { useUnit } from "../../../readouts/useUnit";
+import type { DrawnPlan } from "../../../scene/legs/shape";
 import type { PlanScene } from "../../../scene/plan/PlanScene";
-import type { DrawnPlan } from "../../../scene/plan/shape";
 import { usePage, usePart } from "../../../store/hooks";
-import { useFlat } from "../flat/useFlat";
-import { useMapTool } from "../tools/useMapTool";
-import { useMapThing } from "../useMapThing";
-import { aircraftPlace } from "./aircraftPlace";
-import { useHome } from "./useHome";
+import { aircraftPlace } from "../aircraft/aircraftPlace";
+import { useHome } from "../aircraft/useHome";
+import { useFlat } from "../scenes/useFlat";
+import { usePlanLayer } from "../scenes/useScreenTools";
+import { useMapTool } from "../tools/mapTool";
 import type { MapPlan } from "./useMapPlan";
 import { usePlanHands } from "./usePlanHands";
-import { usePlanLayer } from "./usePlanLayer";
 
 /** A waypoint that is being dragged, and where it is now. */
 export interface HeldWaypoint {

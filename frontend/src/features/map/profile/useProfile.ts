@@ -8,7 +8,7 @@ import {
   profilePlaces,
 } from "../../../lib/planProfile";
 import { useSettings } from "../../../store/hooks";
-import { useMapLayers } from "../layers/useMapLayers";
+import { useMapLayers } from "../layers/layerList";
 import { TerrainHeights } from "./terrainHeights";
 
 /** A ridge between two places is missed only if it is narrower than this, metres. */

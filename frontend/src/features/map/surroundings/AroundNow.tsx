@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { useUnit } from "../../../readouts/useUnit";
 import { useConnection } from "../../../store/hooks";
-import { useFollowed } from "../useFlightScene";
+import { useFollowed } from "../aircraft/useFlightScene";
 
 /** What the station sees around the aircraft that is followed, or why it sees nothing. */
 export function AroundNow() {

@@ -5,8 +5,7 @@ import { useConnection, usePart } from "../../../store/hooks";
 import { FileButton } from "../../../ui/FileButton";
 import { Notice } from "../../../ui/Notice";
 import { isSaved, SURROUNDINGS } from "./surroundings";
-import { useFixed } from "./useFixed";
-import { useSurroundings } from "./useSurroundings";
+import { useFixed, useSurroundings } from "./useSurroundings";
 
 const FORMATS = ["kml", "plan"] as const;
 

@@ -7,8 +7,7 @@ import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { Select } from "../../../ui/Select";
 import { MOST_CORNERS, SURROUNDINGS } from "./surroundings";
-import { useFixed } from "./useFixed";
-import { useSurroundings } from "./useSurroundings";
+import { useFixed, useSurroundings } from "./useSurroundings";
 
 /** One corner of the fence by its number: its place typed, another put behind it, or taken away. */
 export function OneCorner() {

@@ -11,7 +11,7 @@ import { type Asked, Station } from "../../../test/station";
 import { WORDS } from "../../../ui/test/testWords";
 import { WordsProvider } from "../../../ui/words";
 import { FlatMap } from "../flat/FlatMap";
-import { FlatContext } from "../flat/useFlat";
+import { FlatContext } from "../scenes/useFlat";
 import { SurroundingsOnMap, warnedTrack } from "./SurroundingsOnMap";
 import { SurroundingsSection } from "./SurroundingsSection";
 import { SURROUNDINGS } from "./surroundings";

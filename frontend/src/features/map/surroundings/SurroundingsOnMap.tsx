@@ -6,11 +6,9 @@ import type { AircraftAround } from "../../../protocol/guards.gen";
 import { useRoleBlocked } from "../../../requests/useRole";
 import type { MeasuredPlace } from "../../../scene/tools/DistanceLine";
 import { useConnection, useIsPast, usePart } from "../../../store/hooks";
-import { useFlat } from "../flat/useFlat";
-import { chooseTool, MAP_TOOL } from "../tools/mapTool";
-import { useMapTool } from "../tools/useMapTool";
-import { useMapTools } from "../tools/useMapTools";
-import { useScreenTools } from "../tools/useScreenTools";
+import { useFlat } from "../scenes/useFlat";
+import { useMapTools, useScreenTools } from "../scenes/useScreenTools";
+import { chooseTool, MAP_TOOL, useMapTool } from "../tools/mapTool";
 import { isSaved, MOST_CORNERS, SURROUNDINGS } from "./surroundings";
 import { useReadSurroundings, useSurroundings } from "./useSurroundings";
 

@@ -1,6 +1,8 @@
 import { useEffect } from "react";
+import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useConnection, usePart } from "../../../store/hooks";
+import { useRoleBlocked } from "../../../requests/useRole";
+import { useConnection, useIsPast, usePart } from "../../../store/hooks";
 import { SURROUNDINGS, type SurroundingsState } from "./surroundings";
 
 /** One value of ground and fence. */
@@ -17,4 +19,11 @@ export function useReadSurroundings(): void {
       void read();
     }
   }, [read, isOpen]);
+}
+
+/** Why this person cannot change ground and fence now. */
+export function useFixed(): string | undefined {
+  const { t } = useTranslation();
+  const role = useRoleBlocked("operator");
+  return useIsPast() ? t("map.around.past") : role;
 }

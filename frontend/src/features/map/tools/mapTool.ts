@@ -1,6 +1,8 @@
+import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Position } from "../../../lib/geodesy";
-import type { GroundPlace } from "../../../scene/plan/target";
+import type { GroundPlace } from "../../../scene/legs/target";
+import { usePart } from "../../../store/hooks";
 import { partName } from "../../../store/parts";
 
 /** What a press on the map does: picks a thing, adds a waypoint, measures, or puts a corner of an area or of the fence. */
@@ -40,4 +42,8 @@ export function chooseTool(store: MapToolStore, tool: Tool): void {
 
 export function measureFrom(store: MapToolStore, place: GroundPlace): void {
   store.setState({ tool: "measure", measured: [place] });
+}
+
+export function useMapTool<T>(select: (state: MapToolState) => T): T {
+  return useStore(usePart(MAP_TOOL), select);
 }

@@ -1,11 +1,10 @@
 import { useCallback, useEffect, useMemo } from "react";
 import { bearing_deg, distance_m } from "../../../lib/geodesy";
 import { type Unit, useUnit } from "../../../readouts/useUnit";
-import type { GroundPlace } from "../../../scene/plan/target";
+import type { GroundPlace } from "../../../scene/legs/target";
 import { usePart } from "../../../store/hooks";
-import { chooseTool, MAP_TOOL } from "./mapTool";
-import { useMapTool } from "./useMapTool";
-import { useScreenTools } from "./useScreenTools";
+import { useScreenTools } from "../scenes/useScreenTools";
+import { chooseTool, MAP_TOOL, useMapTool } from "./mapTool";
 
 interface Leg {
   readonly distance_m: number;

@@ -1,5 +1,5 @@
 import { GeographicTilingScheme, type ImageryTypes, Rectangle } from "@cesium/engine";
-import { type Box, tileBox } from "./geometry";
+import { type Box, tileBox } from "../../world/geometry";
 import { Pictures } from "./Pictures";
 
 const SIZE_PX = 256;

@@ -1,8 +1,8 @@
 import { type ImageryTypes, Rectangle, WebMercatorTilingScheme } from "@cesium/engine";
+import type { Light } from "../../look";
 import { sourceOf, VECTOR_PX } from "../../vector/VectorTiles";
-import type { Light } from "../../world/look";
 import type { World } from "../../world/World";
-import { coveredBy, type ImagerySource, lowestLevel } from "../imagery";
+import { coveredBy, type ImagerySource, lowestLevel } from "./imagery";
 import { WorkersPictures } from "./Pictures";
 
 /** Roads, rivers and buildings over the globe: the flat map's drawing of them, as pictures. Names are the flat map's. */

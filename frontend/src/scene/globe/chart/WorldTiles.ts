@@ -1,5 +1,5 @@
 import { GeographicTilingScheme, type ImageryTypes } from "@cesium/engine";
-import type { Light } from "../../world/look";
+import type { Light } from "../../look";
 import { WORLD_TILE_PX } from "../../world/tiling";
 import type { World } from "../../world/World";
 import { WorkersPictures } from "./Pictures";

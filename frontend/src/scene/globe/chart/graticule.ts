@@ -1,5 +1,5 @@
 import type { Position } from "../../../lib/geodesy";
-import type { Box } from "./geometry";
+import type { Box } from "../../world/geometry";
 
 /** Possible distances between the lines, in seconds of arc: round for people. */
 const STEPS_S = [

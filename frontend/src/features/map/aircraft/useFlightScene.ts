@@ -1,0 +1,71 @@
+import { useCallback, useEffect, useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import { AIRCRAFT, type Aircraft } from "../../../lib/aircraft";
+import { CAMERA_CHOICE, type CameraMode, cameraOf } from "../../../lib/mapCamera";
+import type { FlightScene } from "../../../scene/aircraft/FlightScene";
+import { usePage, usePart, useSettings, useTelemetry } from "../../../store/hooks";
+import type { TelemetryStore } from "../../../store/telemetry";
+import { usePaint } from "../../../store/usePaint";
+import { useGlobe, useGlobeLayer } from "../scenes/useGlobe";
+import { TRACK_LOG } from "../track/trackLog";
+import { AircraftMotion, showing } from "./aircraftFeed";
+
+export const FOLLOWED_CHOICE = "map.followed";
+
+/** The chosen camera mode. */
+export function useCameraMode(): CameraMode {
+  return useSettings(({ choices }) => cameraOf(choices[CAMERA_CHOICE]));
+}
+
+/** The aircraft that the camera follows: the chosen one; by default the simulator's while it is heard. */
+export function useFollowed(): Aircraft {
+  const chosen = useSettings(({ choices }) => choices[FOLLOWED_CHOICE]);
+  const hil = useTelemetry((telemetry, now_ms) => showing(telemetry, "hil", now_ms));
+  if (chosen === "flight" || chosen === "hil") {
+    return chosen;
+  }
+  return hil === "live" || hil === "stale" ? "hil" : "flight";
+}
+
+/** Shows both aircraft on the globe, moves the camera as chosen, and draws the tracks up to the aircraft. */
+export function useFlightScene(): FlightScene | null {
+  const { t } = useTranslation();
+  const { telemetry } = usePage();
+  const trackLog = usePart(TRACK_LOG);
+  const globe = useGlobe();
+  const scene = useGlobeLayer(
+    "flight",
+    async () => (await import("../../../scene/aircraft/FlightScene")).FlightScene,
+  );
+  const track = useGlobeLayer(
+    "track",
+    async () => (await import("../../../scene/track/TrackLayer")).TrackLayer,
+  );
+  const mode = useCameraMode();
+  const followed = useFollowed();
+  const motion = useMemo(() => new AircraftMotion(), []);
+  const take = useCallback((from: TelemetryStore, now_ms: number) => motion.take(from, now_ms), [motion]);
+  usePaint("movement", take);
+  const flight = t("map.view.flight");
+  const hil = t("map.view.hil");
+  useEffect(() => {
+    scene?.aircraft.setFeed((now_ms) => motion.seen(telemetry, { flight, hil }, now_ms));
+    return () => scene?.aircraft.setFeed(null);
+  }, [scene, motion, telemetry, flight, hil]);
+  useEffect(() => scene?.camera.set(mode, followed), [scene, mode, followed]);
+  useEffect(() => {
+    if (globe === null || scene === null || track === null) {
+      return undefined;
+    }
+    return globe.onBeforePicture(() => {
+      for (const aircraft of AIRCRAFT) {
+        const seen = scene.aircraft.seen(aircraft);
+        track.setTip(
+          trackLog.points[aircraft],
+          seen?.isLive === true ? { ...seen.place, t_s: seen.t_s } : null,
+        );
+      }
+    });
+  }, [globe, scene, track, trackLog]);
+  return scene;
+}
