@@ -13,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.formats.fence_file import Corner, crossing_edges, read_fence_file, write_fence_kml, write_fence_plan
+from epf_gcs.formats.fence_border import Corner, crossing_edges
+from epf_gcs.formats.fence_file import read_fence_file, write_fence_kml, write_fence_plan
 from tests.support.kml import schema_faults
 
 CORNERS: tuple[Corner, ...] = ((28.0, -15.5), (28.0, -15.4), (28.1, -15.4))
@@ -164,14 +165,10 @@ def test_no_bytes_do_more_than_be_refused(data: bytes) -> None:
         ([(0.0, 0.0), (0.0, 2.0), (0.0, 1.0), (1.0, 1.0)], (1, 2)),  # a spike
     ],
 )
-def test_a_border_that_crosses_itself_is_refused_with_its_two_sides(
-    corners: list[Corner], sides: tuple[int, int]
-) -> None:
+def test_a_border_that_crosses_itself_is_read_with_its_two_sides(corners: list[Corner], sides: tuple[int, int]) -> None:
     assert crossing_edges(corners) == sides
-    with pytest.raises(InvalidInputError) as caught:
-        read_fence_file("x.plan", write_fence_plan(corners))
-    assert caught.value.code == "fence_file_crosses"
-    assert (caught.value.params["first"], caught.value.params["second"]) == sides
+    (note,) = read_fence_file("x.plan", write_fence_plan(corners)).notes
+    assert note == ("crosses", {"first": sides[0], "second": sides[1]})
 
 
 @given(FENCES)
@@ -182,3 +179,51 @@ def test_a_border_around_a_place_crosses_nothing(corners: list[Corner]) -> None:
 
 def test_a_side_that_goes_on_straight_crosses_nothing() -> None:
     assert crossing_edges([(0.0, 0.0), (0.0, 1.0), (0.0, 2.0), (1.0, 1.0)]) is None
+
+
+ROWS = "28.0 -15.5\n28.0 -15.4\n28.1 -15.4\n28.0 -15.5\n"
+
+
+def fence_items(*rows: tuple[int, float, float, float], head: str = "") -> bytes:
+    """Command, first parameter, latitude and longitude of each item."""
+    lines = [f"{nth}\t0\t3\t{row[0]}\t{row[1]}\t0\t0\t0\t{row[2]}\t{row[3]}\t0\t1" for nth, row in enumerate(rows, 1)]
+    return ("QGC WPL 110\n" + head + "\n".join(lines) + "\n").encode()
+
+
+INSIDE = [(5001, 3.0, *corner) for corner in CORNERS]
+
+
+def test_fence_items_of_a_list_of_waypoints_are_read_and_the_others_passed_over() -> None:
+    home = "0\t1\t0\t16\t0\t0\t0\t0\t28.01\t-15.42\t20\t1\n"
+    found = read_fence_file("x", fence_items((5000, 0, 28.02, -15.45), *INSIDE, head=home))
+    assert (found.format, found.corners) == ("waypoints", CORNERS)
+    away = [(5002, 3.0, latitude + 1, longitude) for latitude, longitude in CORNERS]
+    more = fence_items(*away, (5004, 80.0, 28.3, -15.1), *INSIDE, *INSIDE, (5003, 500.0, 28.0, -15.0))
+    assert read_fence_file("x", more).corners == CORNERS
+    assert counted(more) == {"exclusions_skipped": 2, "shapes_skipped": 2}
+    circle = fence_items((5003, 500.0, 28.0, -15.0))
+    assert len(read_fence_file("x", circle).corners) == counted(circle)["circle_cornered"] == 36
+
+
+def test_rows_are_a_closed_border_with_the_place_to_return_to_before_it_or_without() -> None:
+    assert read_fence_file("x", ROWS.encode()).corners == CORNERS
+    with_return = f"#saved by a planner\r\n28.05\t-15.45\r\n{ROWS}".encode()
+    found = read_fence_file("x", with_return)
+    assert (found.format, found.corners, counted(with_return)) == ("rows", CORNERS, {"return_skipped": 1})
+
+
+@pytest.mark.parametrize(
+    ("data", "code", "nth"),
+    [
+        (fence_items(*INSIDE[:2]), "fence_file_rows", 3),
+        (fence_items(*INSIDE[:2], (5002, 3.0, 28.0, -15.0)), "fence_file_rows", 3),
+        (fence_items(*INSIDE[:2], (16, 0.0, 28.0, -15.0)), "fence_file_rows", 3),
+        (b"QGC WPL 110\n0\t1\t0\n", "fence_file_rows", 2),
+        (b"28.0 -15.5\n28.0 -15.4\n28.1 -15.4\n28.1 -15.5\n", "fence_file_open", 4),
+        (b"28.0 -15.5\nnorth\n", "fence_file_rows", 2),
+    ],
+)
+def test_rows_that_are_not_whole_are_refused_by_their_line(data: bytes, code: str, nth: int) -> None:
+    with pytest.raises(InvalidInputError) as caught:
+        read_fence_file("x.fen", data)
+    assert (caught.value.code, caught.value.params["nth"]) == (code, nth)

@@ -1,4 +1,4 @@
-"""Fences as files of other programs: polygons of KML (Google Earth) and the geofence of a .plan (QGroundControl)."""
+"""Fences as files of other programs: KML, .plan of QGroundControl, the lists of Mission Planner and MAVProxy."""
 
 from __future__ import annotations
 
@@ -13,14 +13,19 @@ import orjson
 
 from epf_gcs.earth import RADIUS_M
 from epf_gcs.errors import ErrorCode, InvalidInputError, Params
+from epf_gcs.formats.fence_border import Corner, crossing_edges
+from epf_gcs.formats.fence_rows import FenceKind, FenceRowFault, FenceShape, are_rows, fence_items, fence_rows
 from epf_gcs.formats.kml import coordinates, document, kml_bytes
 from epf_gcs.formats.mission_file import FileFault
 from epf_gcs.formats.recognise import unpacked_kml
+from epf_gcs.formats.wpl_plan import SIGNATURE
 from epf_gcs.formats.xml_tree import add, child_text, decimal, every, local, parse_xml, plain
 from epf_gcs.units import m_from_ft
 
 FenceFormat = Literal["kml", "plan"]
-FenceNoteCode = Literal["circle_cornered", "exclusions_skipped", "shapes_skipped"]
+FenceFileFormat = Literal["kml", "plan", "waypoints", "rows"]
+"""What a fence is read from: also a .waypoints with fence items, and rows of latitude and longitude."""
+FenceNoteCode = Literal["circle_cornered", "crosses", "exclusions_skipped", "return_skipped", "shapes_skipped"]
 
 LEAST_CORNERS: Final = 3
 MOST_CORNERS: Final = 100
@@ -33,13 +38,6 @@ _COMMA: Final = re.compile(r"\s*,\s*")  # "lon, lat, alt" is wrong, and common
 _CIRCLE_CORNERS: Final = 36
 _MOST_RADIUS_M: Final = 1_000_000.0
 
-Corner = tuple[float, float]
-"""Latitude and longitude in degrees."""
-
-
-_Flat = tuple[float, float]
-"""Longitude and latitude in degrees, counted from the first corner, so that no border has a seam in it."""
-
 
 class FenceNote(NamedTuple):
     """Something about the file that a person should know before relying on the fence."""
@@ -50,49 +48,15 @@ class FenceNote(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class FenceFile:
-    """A fence that was read: 3 to 100 corners, the first not repeated; `ceiling_ft` above the sea, or None."""
+    """A fence that was read: 3 to 100 corners, the first not repeated; `ceiling_ft` above the sea, or None.
 
-    format: FenceFormat
+    The border may cross itself, which a note says.
+    """
+
+    format: FenceFileFormat
     corners: tuple[Corner, ...]
     ceiling_ft: float | None
     notes: tuple[FenceNote, ...]
-
-
-def crossing_edges(corners: Sequence[Corner]) -> tuple[int, int] | None:
-    """Two sides of the border that cross or touch, by number from 1 (side n begins at corner n); None if none do.
-
-    Of a border that crosses itself it is not clear what is inside: twice enclosed counts as outside.
-    """
-    first = corners[0][1] if corners else 0.0
-    places = [((longitude - first + 180.0) % 360.0, latitude) for latitude, longitude in corners]
-    edges = [(place, places[(nth + 1) % len(places)]) for nth, place in enumerate(places)]
-    for nth, edge in enumerate(edges):
-        for other in range(nth + 1, len(edges)):
-            are_neighbours = other == nth + 1 or (nth == 0 and other == len(edges) - 1)
-            if _meet(*edge, *edges[other], share_an_end=are_neighbours):
-                return nth + 1, other + 1
-    return None
-
-
-def _meet(a: _Flat, b: _Flat, c: _Flat, d: _Flat, *, share_an_end: bool) -> bool:
-    sides = (_side(a, b, c), _side(a, b, d), _side(c, d, a), _side(c, d, b))
-    if share_an_end:
-        # They cross only where one lies on the other, as the two sides of a spike do.
-        return not any(sides) and (
-            _is_between(a, b, c) + _is_between(a, b, d) + _is_between(c, d, a) + _is_between(c, d, b) > 2
-        )
-    if sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0:
-        return True
-    touches = ((a, b, c), (a, b, d), (c, d, a), (c, d, b))
-    return any(side == 0 and _is_between(*three) for side, three in zip(sides, touches, strict=True))
-
-
-def _side(a: _Flat, b: _Flat, c: _Flat) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def _is_between(a: _Flat, b: _Flat, c: _Flat) -> bool:
-    return min(a[0], b[0]) <= c[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= c[1] <= max(a[1], b[1])
 
 
 def write_fence_kml(name: str, corners: Sequence[Corner], ceiling_ft: float | None) -> bytes:
@@ -139,15 +103,22 @@ def write_fence_plan(corners: Sequence[Corner]) -> bytes:
 
 
 def read_fence_file(name: str, data: bytes) -> FenceFile:
-    """The fence in a KML, KMZ or .plan file, recognised by its content. Raises InvalidInputError naming the file.
+    """The fence in a file, which is recognised by its content. Raises InvalidInputError naming the file.
 
     The first border of the file is the fence; what else is in it is left out and noted.
     """
     try:
         packed = unpacked_kml(data)
-        if packed.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"{"):
+        text = packed.removeprefix(b"\xef\xbb\xbf").lstrip()
+        if text.startswith(b"{"):
             return _of_plan(name, packed)
+        if text.startswith(SIGNATURE):
+            return _of_shapes(name, "waypoints", fence_items(text))
+        if are_rows(text):
+            return _of_shapes(name, "rows", fence_rows(text))
         root = parse_xml(packed)
+    except FenceRowFault as fault:
+        raise _refused(fault.code, f"The fence in '{name}' is not whole: {fault}.", name, nth=fault.line) from fault
     except FileFault as fault:
         raise _unknown(name) from fault
     if local(root) != "kml":
@@ -170,7 +141,7 @@ def _of_kml(name: str, root: Element) -> FenceFile:
         raise _no_fence(name)
     corners = _checked(name, (_kml_corner(word) for word in _words(ring)))
     notes = _noted(("shapes_skipped", others), ("exclusions_skipped", holes))
-    return FenceFile("kml", corners, _ceiling_ft(root), notes)
+    return FenceFile("kml", corners, _ceiling_ft(root), (*_crossed(corners), *notes))
 
 
 def _words(ring: Element) -> list[str]:
@@ -201,25 +172,47 @@ def _of_plan(name: str, data: bytes) -> FenceFile:
     fence = plan.get("geoFence")
     polygons = _dicts(fence, "polygons")
     circles = _dicts(fence, "circles")
-    kept = [one for one in (*polygons, *circles) if one.get("inclusion") is not False]
+    shapes = [*map(_polygon, polygons), *map(_circle, circles)]
+    return _of_shapes(name, "plan", shapes)
+
+
+def _polygon(one: Mapping[str, Any]) -> FenceShape:
+    corners = tuple(map(_pair, _list(one.get("polygon"))))
+    return FenceShape("exclusion" if one.get("inclusion") is False else "inclusion", corners, None)
+
+
+def _circle(one: Mapping[str, Any]) -> FenceShape:
+    circle = one.get("circle")
+    values = circle if isinstance(circle, dict) else {}
+    kind: FenceKind = "exclusion" if one.get("inclusion") is False else "inclusion"
+    return FenceShape(kind, (_pair(values.get("center")),), _number(values.get("radius")) or 0.0)
+
+
+def _of_shapes(name: str, file_format: FenceFileFormat, shapes: Sequence[FenceShape]) -> FenceFile:
+    """The first of the areas to stay within."""
+    kept = [shape for shape in shapes if shape.kind == "inclusion"]
     if not kept:
         raise _no_fence(name)
     first = kept[0]
+    corners = _checked(name, first.corners if first.radius_m is None else _around(name, first))
     notes = _noted(
-        ("circle_cornered", 0 if "polygon" in first else _CIRCLE_CORNERS),
+        ("circle_cornered", 0 if first.radius_m is None else _CIRCLE_CORNERS),
         ("shapes_skipped", len(kept) - 1),
-        ("exclusions_skipped", len(polygons) + len(circles) - len(kept)),
+        ("exclusions_skipped", sum(shape.kind == "exclusion" for shape in shapes)),
+        ("return_skipped", sum(shape.kind == "return" for shape in shapes)),
     )
-    if "polygon" in first:
-        return FenceFile("plan", _checked(name, map(_pair, _list(first["polygon"]))), None, notes)
-    return FenceFile("plan", _checked(name, _around(name, first.get("circle"))), None, notes)
+    return FenceFile(file_format, corners, None, (*_crossed(corners), *notes))
 
 
-def _around(name: str, circle: object) -> list[tuple[object, object]]:
+def _crossed(corners: Sequence[Corner]) -> tuple[FenceNote, ...]:
+    sides = crossing_edges(corners)
+    return () if sides is None else (FenceNote("crosses", {"first": sides[0], "second": sides[1]}),)
+
+
+def _around(name: str, circle: FenceShape) -> list[tuple[object, object]]:
     """Corners on a circle, all of them within it: the fence is never larger than what was drawn."""
-    values = circle if isinstance(circle, dict) else {}
-    latitude_deg, longitude_deg = map(_number, _pair(values.get("center")))
-    radius_m = _number(values.get("radius"))
+    latitude_deg, longitude_deg = map(_number, circle.corners[0])
+    radius_m = circle.radius_m
     is_circle = radius_m is not None and 0 < radius_m <= _MOST_RADIUS_M
     if latitude_deg is None or longitude_deg is None or abs(latitude_deg) > 85 or radius_m is None or not is_circle:
         raise _no_place(name, 1)
@@ -250,16 +243,6 @@ def _checked(name: str, corners: Iterable[tuple[object, object]]) -> tuple[Corne
             count=len(found),
             least=LEAST_CORNERS,
             most=MOST_CORNERS,
-        )
-    crossing = crossing_edges(found)
-    if crossing is not None:
-        raise _refused(
-            "fence_file_crosses",
-            f"The border in '{name}' crosses itself: sides {crossing[0]} and {crossing[1]} meet, so it is not clear "
-            "what is inside. Move a corner in the program that it comes from.",
-            name,
-            first=crossing[0],
-            second=crossing[1],
         )
     return tuple(found)
 
@@ -292,11 +275,20 @@ def _dicts(fence: object, key: str) -> list[Mapping[str, Any]]:
 
 
 def _unknown(name: str) -> InvalidInputError:
-    return _refused("fence_file_unknown", f"'{name}' is no whole KML, KMZ or .plan: choose another file.", name)
+    return _refused(
+        "fence_file_unknown",
+        f"'{name}' is no fence that can be read: KML, KMZ, .plan, a .waypoints with fence items, or rows of latitude "
+        "and longitude.",
+        name,
+    )
 
 
 def _no_fence(name: str) -> InvalidInputError:
-    return _refused("fence_file_no_fence", f"There is no fence in '{name}': no polygon to stay within.", name)
+    return _refused(
+        "fence_file_no_fence",
+        f"There is no fence in '{name}': no area to stay within. Draw a polygon, or an inclusion fence.",
+        name,
+    )
 
 
 def _no_place(name: str, nth: int) -> InvalidInputError:

@@ -14,6 +14,7 @@ from xml.etree.ElementTree import Element
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.errors import InvalidInputError, Params
 from epf_gcs.formats.csv_plan import read_csv, write_csv
+from epf_gcs.formats.fence_rows import FenceRowFault, are_rows, fence_items
 from epf_gcs.formats.gpx_plan import read_gpx, write_gpx
 from epf_gcs.formats.kml_plan import read_kml, write_kml
 from epf_gcs.formats.kmz import DOCUMENT, kmz_pieces
@@ -92,8 +93,24 @@ def _read(data: bytes) -> FilePlan:
     if start.startswith(b"{"):
         return read_plan(data)
     if start == SIGNATURE:
-        return read_wpl(data.removeprefix(codecs.BOM_UTF8).lstrip())
+        plan = read_wpl(data.removeprefix(codecs.BOM_UTF8).lstrip())
+        if not plan.points and _has_fence(data):
+            raise _is_fence()
+        return plan
+    if are_rows(data.removeprefix(codecs.BOM_UTF8)):
+        raise _is_fence()
     return read_csv(data)
+
+
+def _has_fence(data: bytes) -> bool:
+    try:
+        return bool(fence_items(data.removeprefix(codecs.BOM_UTF8).lstrip()))
+    except FenceRowFault:
+        return True
+
+
+def _is_fence() -> FileFault:
+    return FileFault("mission_file_fence", "it is a fence and no plan: read it as the fence of the map")
 
 
 def _read_xml(root: Element) -> FilePlan:

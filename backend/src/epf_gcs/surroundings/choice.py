@@ -7,12 +7,12 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 
 from epf_gcs.contract.shapes import Input
+from epf_gcs.formats.fence_border import crossing_edges
 from epf_gcs.formats.fence_file import (
     HIGHEST_CEILING_FT,
     LEAST_CORNERS,
     LOWEST_CEILING_FT,
     MOST_CORNERS,
-    crossing_edges,
 )
 
 

@@ -1,3 +1,4 @@
+import { crossingSides } from "../../lib/fenceBorder";
 import type { Position } from "../../lib/geodesy";
 import { FENCE, WARNED } from "../colours";
 import { nearest } from "../legs/geometry";
@@ -10,7 +11,7 @@ import type { Words } from "./Words";
 /** Told where a corner was put; null: the fence cannot be changed now. */
 export type FenceListener = ((corner: number, to: Position) => void) | null;
 
-/** The fence on the flat map, whose corners can be dragged, and where the present track leads while that is warned of. */
+/** The fence on the flat map, whose corners can be dragged and whose crossing sides are marked, and where the present track leads while that is warned of. */
 export class FlatFence {
   readonly #onChange: () => void;
   #corners: readonly Position[] = [];
@@ -49,6 +50,13 @@ export class FlatFence {
       border.map((place) => toScreen(view, place)),
       { colour: FENCE, width_px: 3, isDashed },
     );
+    for (const side of crossingSides(corners) ?? []) {
+      drawLine(
+        context,
+        border.slice(side, side + 2).map((place) => toScreen(view, place)),
+        { colour: WARNED, width_px: 5 },
+      );
+    }
     if (this.#listener !== null || !this.#isSaved) {
       for (const corner of corners) {
         drawDistance(context, view, [{ ...corner, label: "" }], words, FENCE);

@@ -6,6 +6,7 @@ import {
   HeadingPitchRange,
   Matrix4,
 } from "@cesium/engine";
+import { crossingSides } from "../../lib/fenceBorder";
 import type { Position } from "../../lib/geodesy";
 import { AREA, FENCE, WARNED } from "../colours";
 import type { Globe } from "../globe/Globe";
@@ -40,6 +41,8 @@ export class MapTools {
   readonly #line: DistanceLine;
   readonly #area: DistanceLine;
   readonly #fence: DistanceLine;
+  /** The two sides of the fence that cross. */
+  readonly #crossing: readonly [DistanceLine, DistanceLine];
   readonly #warned: DistanceLine;
   readonly #ends: readonly (() => void)[];
   #onScale: ((scale: MapScale) => void) | null = null;
@@ -53,6 +56,7 @@ export class MapTools {
     this.#line = new DistanceLine(globe);
     this.#area = new DistanceLine(globe, AREA);
     this.#fence = new DistanceLine(globe, FENCE);
+    this.#crossing = [new DistanceLine(globe, WARNED), new DistanceLine(globe, WARNED)];
     this.#warned = new DistanceLine(globe, WARNED);
     this.#ends = [
       globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms)),
@@ -91,6 +95,11 @@ export class MapTools {
   /** The fence's border; the caller closes it. */
   showFence(places: readonly MeasuredPlace[]): void {
     this.#fence.show(places);
+    const sides = crossingSides(places.slice(0, -1));
+    for (const [nth, line] of this.#crossing.entries()) {
+      const side = sides?.[nth];
+      line.show(side === undefined ? [] : places.slice(side, side + 2));
+    }
   }
 
   /** The present track that is warned of. */
@@ -153,6 +162,7 @@ export class MapTools {
     this.#line.dispose();
     this.#area.dispose();
     this.#fence.dispose();
+    for (const line of this.#crossing) line.dispose();
     this.#warned.dispose();
   }
 

@@ -187,7 +187,7 @@ test("a file's fence is drawn and not yet watched, what it could not bring is sa
   const there = CORNERS.map(({ latitude_deg }) => ({ latitude_deg, longitude_deg: 5 }));
   const choose = async (file: File): Promise<void> =>
     user.upload(
-      document.querySelector<HTMLInputElement>("input[accept='.kml,.kmz,.plan']") as HTMLElement,
+      document.querySelector<HTMLInputElement>("input[accept^='.kml,.kmz,.plan']") as HTMLElement,
       file,
     );
   await choose(new File(["x"], "campo uno.plan"));
@@ -214,8 +214,28 @@ test("a file's fence is drawn and not yet watched, what it could not bring is sa
     { code: "fence_file_unknown", detail: "x", params: { name: "foto.kml" } },
     422,
   );
-  expect(screen.getByText("foto.kml no es un KML, KMZ o .plan entero: elige otro fichero.")).toBeTruthy();
+  expect(
+    screen.getByText(
+      "foto.kml no es una valla que se pueda leer: KML, KMZ, .plan, un .waypoints con elementos de valla, o líneas de latitud y longitud. Elige otro fichero.",
+    ),
+  ).toBeTruthy();
   expect(drawn()).toEqual(CORNERS);
+});
+
+test("a fence that crosses itself says at which sides, and is saved once a corner was moved", async () => {
+  await given({ corners: CORNERS });
+  const bow = [
+    { latitude_deg: 27.93, longitude_deg: -15.38 },
+    { latitude_deg: 27.95, longitude_deg: -15.36 },
+    { latitude_deg: 27.95, longitude_deg: -15.38 },
+    { latitude_deg: 27.93, longitude_deg: -15.36 },
+  ];
+  act(() => station.page.parts.get(SURROUNDINGS).edit(bow));
+  expect(screen.getByRole("alert").textContent).toContain("Los lados 1 y 3 se cruzan");
+  expect(button("Guardar la valla").ariaDisabled).toBe("true");
+  act(() => station.page.parts.get(SURROUNDINGS).edit(bow.toSpliced(3, 1)));
+  expect(screen.queryByText(/se cruzan/)).toBeNull();
+  expect(button("Guardar la valla").ariaDisabled).not.toBe("true");
 });
 
 test("who may only look sees the fence and changes nothing", async () => {

@@ -1,6 +1,8 @@
 import { Crosshair, Redo2, Save, Spline, Trash2, Undo2 } from "lucide-react";
+import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../../i18n/useSentence";
+import { crossingSides } from "../../../lib/fenceBorder";
 import type { SurroundingsChoice } from "../../../protocol/guards.gen";
 import { useUnit } from "../../../readouts/useUnit";
 import { usePart } from "../../../store/hooks";
@@ -129,6 +131,7 @@ function Height({ label, value_ft, range, onCommit }: HeightProps) {
 /** The corners: put on the map, taken back, and saved for everybody. */
 function Border() {
   const { t } = useTranslation();
+  const crossing = useCrossing();
   const isMarking = useMapTool(({ tool }) => tool === "fence");
   const count = useSurroundings((state) => state.corners.present.length);
   const saved = useSurroundings(isSaved);
@@ -138,6 +141,7 @@ function Border() {
         {t("map.around.corners", { count })}
         {!saved && <strong className="map-around-unsaved"> {t("map.around.unsaved")}</strong>}
       </p>
+      {crossing !== undefined && <Notice level="error">{crossing}</Notice>}
       <div className="map-plan-buttons">
         <PutCorners isMarking={isMarking} />
         <ChangeCorners />
@@ -230,6 +234,7 @@ function SaveCorners() {
   const count = useSurroundings((state) => state.corners.present.length);
   const saved = useSurroundings(isSaved);
   const fixed = useFixed();
+  const crossing = useCrossing();
   const few = count > 0 && count < LEAST_CORNERS ? t("map.around.few") : undefined;
   return (
     <Button
@@ -238,9 +243,21 @@ function SaveCorners() {
         void save();
       }}
       icon={<Save {...ICON} />}
-      disabledReason={fixed ?? few ?? (saved ? t("map.around.saved") : undefined)}
+      disabledReason={fixed ?? few ?? crossing ?? (saved ? t("map.around.saved") : undefined)}
     >
       {t("map.around.save")}
     </Button>
   );
+}
+
+/** Why the drawn border encloses nothing certain; undefined if none of its sides cross. */
+function useCrossing(): string | undefined {
+  const { t } = useTranslation();
+  const corners = useSurroundings((state) => state.corners.present);
+  return useMemo(() => {
+    const sides = crossingSides(corners);
+    return sides === null
+      ? undefined
+      : t("map.around.crosses", { first: sides[0] + 1, second: sides[1] + 1 });
+  }, [corners, t]);
 }

@@ -68,7 +68,11 @@ async def get_fence(surroundings: SurroundingsDep, format: FenceFormat) -> Respo
     openapi_extra=file_body(maxLength=MAX_FILE_BYTES),
 )
 async def import_fence(request: Request, name: FileName) -> FenceImport:
-    """Read the fence in a KML, KMZ or .plan file, whole or not at all. The fence that is watched stays as it is."""
+    """Read the fence in a file: KML, KMZ, .plan, .waypoints with fence items, or rows of latitude and longitude.
+
+    It is read whole or not at all. The fence that is watched stays as it is. A border that
+    crosses itself is read, and noted.
+    """
     # In a thread: the stream must not wait for the largest file.
     found = await asyncio.to_thread(read_fence_file, plain(name), await request.body())
     return FenceImport(
