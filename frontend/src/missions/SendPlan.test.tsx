@@ -71,6 +71,25 @@ test("a board that flies the plan gets another only after a question, and starts
   expect(station.asked).toHaveLength(1);
 });
 
+test("a question keeps its answers when the stream that it was asked by ends under the finger", async () => {
+  const station = edited();
+  station.send({ fms_plan: { waypoint: 1 } });
+  await press("send");
+  station.pass(60_000);
+  expect(screen.getByRole("alertdialog").textContent).toContain("La placa vuela al waypoint 2");
+  await press("Enviar y seguir al 3");
+  await newest(station).answer(sent);
+  expect(newest(station).body).toEqual({ value: { plan: 0, index: 2 } });
+});
+
+test("a question follows the board to its next waypoint", async () => {
+  const station = edited();
+  station.send({ fms_plan: { waypoint: 1 } });
+  await press("send");
+  station.send({ fms_plan: { waypoint: 2 } });
+  expect(screen.getByRole("button", { name: "Enviar y seguir al 4" })).toBeDefined();
+});
+
 test("a board that shall go on is told so, to the same waypoint, once it has the plan", async () => {
   const station = edited();
   station.send({ fms_plan: { waypoint: 1 } });

@@ -27,11 +27,13 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const missions = usePart(MISSIONS);
   const control = `plan.upload.${plan}`;
   const { state, stateText } = useAsked(control);
-  const flown = useFlown(plan, onBoard);
-  const [isAsking, setAsking] = useState(false);
+  const now = useFlown(plan, onBoard);
+  const [asked, setAsked] = useState<Flown | null>(null);
+  // What an open question offers stays under the finger when the stream ends; it follows the board while that is known.
+  const flown = asked === null || (now.row !== null && asked.row !== null) ? now : asked;
 
   function send(goOnTo: number | null): void {
-    setAsking(false);
+    setAsked(null);
     void missions.upload(plan, { control }, goOnTo);
   }
 
@@ -44,7 +46,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
     <>
       <Button
         variant="primary"
-        onPress={() => (flown.isFlown ? setAsking(true) : send(null))}
+        onPress={() => (now.isFlown ? setAsked(now) : send(null))}
         state={state}
         stateText={stateText}
         disabledReason={disabledReason}
@@ -52,7 +54,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
       >
         {children}
       </Button>
-      {isAsking && (
+      {asked !== null && (
         <ConfirmDialog
           title={t("plans.sendTitle")}
           text={flown.to === null ? t("plans.sendUnknown") : t("plans.sendText", { number: flown.to + 1 })}
@@ -61,7 +63,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
           cancelLabel={t("dialog.cancel")}
           danger={goOn === again}
           onConfirm={goOn.onPress}
-          onCancel={() => setAsking(false)}
+          onCancel={() => setAsked(null)}
         />
       )}
     </>

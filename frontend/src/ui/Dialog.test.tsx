@@ -1,7 +1,8 @@
-import { act, screen } from "@testing-library/react";
+import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { afterEach, describe, expect, test, vi } from "vitest";
+import { Button } from "./Button";
 import { ConfirmDialog } from "./ConfirmDialog";
 import { Dialog } from "./Dialog";
 import { renderWithWords } from "./test/testWords";
@@ -36,6 +37,36 @@ test("Escape and the cross ask to close it", async () => {
   await userEvent.click(screen.getByRole("button", { name: "w-close" }));
   expect(onClose).toHaveBeenCalledTimes(2);
 });
+
+test.each([
+  [
+    "dialog",
+    <Dialog
+      key="d"
+      title="Send"
+      onClose={() => undefined}
+      actions={<Button onPress={() => undefined} disabledReason="no link">Write</Button>}
+    />,
+  ],
+  [
+    "dialog",
+    <Dialog key="b" title="Send" onClose={() => undefined}>
+      <Button onPress={() => undefined} disabledReason="no link">Write</Button>
+    </Dialog>,
+  ],
+])(
+  "a press that does nothing is answered in front, where the page behind cannot be read",
+  async (role, dialog) => {
+    const user = userEvent.setup();
+    const { refused } = renderWithWords(dialog);
+    expect(screen.queryByRole("status")).toBeNull();
+    await user.click(screen.getByRole("button", { name: "Write" }));
+    expect(within(screen.getByRole(role)).getByRole("status").textContent).toBe("no link");
+    expect(refused).toEqual(["no link"]);
+    await user.click(screen.getByRole("heading"));
+    expect(screen.queryByText("no link", { selector: "[role=status]" })).toBeNull();
+  },
+);
 
 function ask() {
   const [onConfirm, onCancel] = [vi.fn(), vi.fn()];

@@ -1,8 +1,10 @@
 import { Dialog as Base } from "@base-ui/react/dialog";
 import { X } from "lucide-react";
-import { type ReactNode, useRef } from "react";
+import { type ReactNode, useRef, useState } from "react";
 import { focusNow } from "./focusNow";
+import { Notice } from "./Notice";
 import { useOpened } from "./openDialogs";
+import { RefusalProvider, useRefuse } from "./refusal";
 import { useWords } from "./words";
 import "./Dialog.css";
 
@@ -29,7 +31,16 @@ export function Dialog(props: Props) {
   const words = useWords();
   const popup = useRef<HTMLDivElement>(null);
   const head = useRef<HTMLElement>(null);
+  const refuse = useRefuse();
+  const [refused, setRefused] = useState<string | null>(null);
   useOpened(open);
+
+  /** Also in front: the page's last message is behind, where nobody can read it. */
+  function refuseInFront(reason: string): void {
+    setRefused(reason);
+    refuse(reason);
+  }
+
   return (
     <Base.Root open={open} onOpenChange={(next) => !next && onClose()}>
       <Base.Portal>
@@ -38,6 +49,7 @@ export function Dialog(props: Props) {
           ref={popup}
           className="ui-dialog"
           data-size={size}
+          onClickCapture={() => setRefused(null)}
           // A touch needs no focused button, and would show its outline.
           initialFocus={(opened) => (opened === "touch" ? popup.current : focusNow(head.current))}
         >
@@ -50,13 +62,16 @@ export function Dialog(props: Props) {
           {description !== undefined && (
             <Base.Description className="ui-dialog-description">{description}</Base.Description>
           )}
-          {children !== undefined && (
-            // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be in reach of the keyboard
-            <div className="ui-dialog-body" tabIndex={0}>
-              {children}
-            </div>
-          )}
-          {actions !== undefined && <footer className="ui-dialog-actions">{actions}</footer>}
+          <RefusalProvider value={refuseInFront}>
+            {children !== undefined && (
+              // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be in reach of the keyboard
+              <div className="ui-dialog-body" tabIndex={0}>
+                {children}
+              </div>
+            )}
+            {refused !== null && <Notice level="warning">{refused}</Notice>}
+            {actions !== undefined && <footer className="ui-dialog-actions">{actions}</footer>}
+          </RefusalProvider>
         </Base.Popup>
       </Base.Portal>
     </Base.Root>

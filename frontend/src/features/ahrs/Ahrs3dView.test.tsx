@@ -103,6 +103,13 @@ describe("the AHRS test", () => {
     expect(button("Empezar la prueba AHRS").dataset["state"]).toBe("confirmed");
   });
 
+  test("that begins elsewhere takes no question from under a finger", async () => {
+    await user.click(button("Empezar la prueba AHRS"));
+    station.status(status("running"));
+    await user.click(screen.getByRole("button", { name: "Empezar" }));
+    expect(station.asked.at(-1)).toMatchObject({ method: "POST", path: "/api/v1/ahrs-test" });
+  });
+
   test("is ended from here while it runs, and other commands say why they wait", async () => {
     station.status(status("running"));
     station.send({ heartbeat: { ahrs: false } });

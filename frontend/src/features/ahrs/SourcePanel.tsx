@@ -37,27 +37,16 @@ function TestSwitch() {
   const startBlocked = useAhrsTestBlocked();
   const stopBlocked = useGatewayBlocked();
   const { state, stateText } = useAsked("ahrsTest");
-  if (stage === "running") {
-    return (
-      <Button
-        onPress={() => void ahrs3d.stopTest({ control: "ahrsTest" })}
-        state={state}
-        stateText={stateText}
-        disabledReason={stopBlocked}
-      >
-        {t("command.ahrs_test_stop")}
-      </Button>
-    );
-  }
+  const isRunning = stage === "running";
   return (
     <>
       <Button
-        onPress={() => setAsking(true)}
+        onPress={() => (isRunning ? void ahrs3d.stopTest({ control: "ahrsTest" }) : setAsking(true))}
         state={state}
         stateText={stateText}
-        disabledReason={startBlocked}
+        disabledReason={isRunning ? stopBlocked : startBlocked}
       >
-        {t("command.ahrs_test_start")}
+        {t(isRunning ? "command.ahrs_test_stop" : "command.ahrs_test_start")}
       </Button>
       {isAsking && (
         <ConfirmDialog

@@ -29,18 +29,21 @@ export function FlyHere() {
   const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
   const open = useOpenPlan(plans.flight);
   return to === null ? null : (
-    <Question aircraft={open} plan={plans[open]} to={to} onClose={() => tools.setState({ flyTo: null })} />
+    <Question opened={open} plans={plans} to={to} onClose={() => tools.setState({ flyTo: null })} />
   );
 }
 
 interface Props {
-  aircraft: Aircraft;
-  plan: MapPlan;
+  /** The aircraft whose plan is open when it is asked: the question stays with it. */
+  opened: Aircraft;
+  plans: Readonly<Record<Aircraft, MapPlan>>;
   to: Position;
   onClose: () => void;
 }
 
-function Question({ aircraft, plan, to, onClose }: Props) {
+function Question({ opened, plans, to, onClose }: Props) {
+  const [aircraft] = useState(opened);
+  const plan = plans[aircraft];
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
   const selection = usePart(SELECTION);
