@@ -49,6 +49,43 @@ def test_a_board_that_is_silent_for_half_a_second_is_legacy_and_is_not_asked_aga
     assert not session.is_extended
 
 
+ACKNOWLEDGEMENT = _frame(encode_telemetry("acknowledgement", 0x100, 0))
+
+
+def test_a_board_whose_answer_was_lost_is_asked_again_because_it_acknowledged_the_question() -> None:
+    session = Session()
+    session.open(0.0)
+    session.on_frame(HEARTBEAT, 0.1)
+    assert session.on_frame(ACKNOWLEDGEMENT, 0.12) == b"", "its answer may be on the way"
+    assert session.tick(0.6) == ASK
+    assert session.state is SessionState.ASKING
+    session.on_frame(CAPABILITIES, 0.7)
+    assert session.is_extended
+
+
+def test_a_board_that_is_taken_for_legacy_is_asked_again_once_it_sends_what_no_deployed_board_does() -> None:
+    session = Session()
+    session.open(0.0)
+    session.on_frame(HEARTBEAT, 0.1)
+    session.tick(0.6)
+    assert session.state is SessionState.LEGACY
+    assert session.on_frame(ACKNOWLEDGEMENT, 30.0) == ASK
+    assert session.state is SessionState.LEGACY, "it stays open meanwhile"
+    session.on_frame(CAPABILITIES, 30.1)
+    assert session.is_extended
+
+
+def test_a_board_that_never_answers_is_asked_three_times_and_again_when_it_is_opened_anew() -> None:
+    session = Session()
+    for start in (0.0, 100.0):
+        sent = session.open(start)
+        for tenth in range(1, 300):
+            now = start + tenth / 10
+            sent += session.on_frame(HEARTBEAT, now) + session.on_frame(ACKNOWLEDGEMENT, now) + session.tick(now)
+        assert sent == OPEN + 3 * ASK
+        assert session.state is SessionState.LEGACY
+
+
 def test_a_late_answer_still_proves_what_the_board_can_do() -> None:
     session = Session()
     session.open(0.0)

@@ -246,6 +246,14 @@ def test_an_extended_board_whose_uptime_began_again_has_begun_anew_and_one_that_
     assert rig.restarts == [Restart(rig.clock.now_s() - 5.0, 2_000)]
 
 
+def test_a_board_whose_answer_is_lost_is_asked_again_and_is_not_taken_for_a_deployed_one(rig: Rig) -> None:
+    rig.board.on_bytes(ALL_IS_OFF + encode_telemetry("acknowledgement", 0x100, 0))
+    rig.later(0.6)
+    rig.board.on_bytes(an_extended_board(5_000))
+    assert rig.board.session.state == "extended"
+    assert rig.line.sent.count(encode_command("capabilities")) == 2
+
+
 def test_a_legacy_board_that_speaks_text_while_it_is_opened_has_begun_anew_though_its_streams_are_on(rig: Rig) -> None:
     rig.open_legacy(AHRS_IS_ON)
     rig.board.on_bytes(b"status: well\n")

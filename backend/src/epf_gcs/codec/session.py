@@ -4,8 +4,11 @@ States and what moves them:
 
     closed  --open-->  opening  --first heartbeat-->  asking  --capabilities-->  extended
                           ^                              |
-                          |                              +--500 ms without answer-->  legacy
+                          |                              +--500 ms without answer-->  legacy --late answer--> extended
                           +--heartbeat silent for 3 s (the board restarted in text mode)--+
+
+A deployed board is asked once, and sends no extension frame. A board that sends one without having answered is asked
+again, `MOST_QUESTIONS` times in all.
 
 In `opening` the line that opens binary mode is repeated each second. In every state `close` gives the bytes
 that stop the board's streams and put it into text mode. The time is an argument of each call.
@@ -22,6 +25,8 @@ from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
 from epf_gcs.codec.values import Json, meaning
 
 CAPABILITIES_TIMEOUT_S: Final = 0.5
+MOST_QUESTIONS: Final = 3
+"""How many times one opening asks for the capabilities, at the most."""
 OPEN_REPEAT_S: Final = 1.0
 HEARTBEAT_SILENCE_S: Final = 3.0
 """Silence after which the board is taken to be in text mode again. A heartbeat may be rarer when the
@@ -47,6 +52,10 @@ class Session:
         self.heartbeat_s: float | None = None
         self._silence_s = HEARTBEAT_SILENCE_S
         self._next_s: float | None = None
+        self._questions = 0
+        self._asked_s = 0.0
+        # A frame came that no deployed board sends.
+        self._has_extensions = False
 
     @property
     def is_open(self) -> bool:
@@ -87,6 +96,10 @@ class Session:
             self.capabilities = meaning(frame).values
             self.state = SessionState.EXTENDED
             self._watch_heartbeat(now_s)
+        elif frame.message.extension:
+            self._has_extensions = True
+            if self.state is SessionState.LEGACY and now_s - self._asked_s >= CAPABILITIES_TIMEOUT_S:
+                return self._ask_again(now_s)
         return b""
 
     def tick(self, now_s: float) -> bytes:
@@ -94,6 +107,10 @@ class Session:
         if self._next_s is None or now_s < self._next_s:
             return b""
         if self.state is SessionState.ASKING:
+            question = self._ask_again(now_s)
+            if question:
+                self._next_s = now_s + CAPABILITIES_TIMEOUT_S
+                return question
             self.state = SessionState.LEGACY
             self._watch_heartbeat(now_s)
             return b""
@@ -118,6 +135,8 @@ class Session:
     def _reopen(self, now_s: float) -> bytes:
         self.state = SessionState.OPENING
         self.capabilities = None
+        self._questions = 0
+        self._has_extensions = False
         self._next_s = now_s + OPEN_REPEAT_S
         return OPEN_BINARY_MODE
 
@@ -126,10 +145,18 @@ class Session:
         if self.state is SessionState.OPENING:
             self.state = SessionState.ASKING
             self._next_s = now_s + CAPABILITIES_TIMEOUT_S
-            return EMPTY_COMMANDS["capabilities"]
+            return self._ask(now_s)
         if self.is_open:
             self._watch_heartbeat(now_s)
         return b""
+
+    def _ask_again(self, now_s: float) -> bytes:
+        return self._ask(now_s) if self._has_extensions and self._questions < MOST_QUESTIONS else b""
+
+    def _ask(self, now_s: float) -> bytes:
+        self._questions += 1
+        self._asked_s = now_s
+        return EMPTY_COMMANDS["capabilities"]
 
     def _watch_heartbeat(self, now_s: float) -> None:
         heard_s = now_s if self.heartbeat_s is None else self.heartbeat_s

@@ -249,7 +249,7 @@ class Board:
     def _converse(self, frames: list[Frame]) -> None:
         """Go on with the dialogue that opens the session and watches it."""
         for frame in frames:
-            if frame.message.name in _HANDSHAKE:
+            if frame.message.name in _HANDSHAKE or frame.message.extension:
                 answer = self.session.on_frame(frame, self._clock.steady_s())
                 if answer:
                     self.write(answer)
