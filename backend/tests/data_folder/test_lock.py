@@ -10,13 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.data_folder.lock import FORMAT_FILE, WEB, DataFolder, held_by_launcher, is_in_use
+from epf_gcs.data_folder.lock import FORMAT_FILE, STATION, WEB, DataFolder, is_in_use
+from epf_gcs.data_folder.whereabouts import Whereabouts, held_by_launcher, leave
 from epf_gcs.errors import ConflictError
 
 HOLDER = """
 import sys
 from pathlib import Path
-from epf_gcs.data_folder.lock import FORMAT_FILE, WEB, DataFolder, held_by_launcher, is_in_use
+from epf_gcs.data_folder.lock import DataFolder
 folder = DataFolder(Path(sys.argv[1]))
 print("held", flush=True)
 sys.stdin.read()
@@ -59,6 +60,21 @@ def test_our_own_folder_is_closed_to_all_others_from_then_on(tmp_path: Path) -> 
         assert stat.S_IMODE((folder / ".lock").stat().st_mode) == 0o600
 
 
+def test_files_of_an_earlier_version_lose_the_rights_of_others_and_nothing_behind_a_link_does(tmp_path: Path) -> None:
+    folder, foreign = tmp_path / "data", tmp_path / "foreign"
+    (folder / "recordings").mkdir(parents=True)
+    for path in (folder / FORMAT_FILE, folder / "recordings" / "a.mcap", foreign):
+        path.write_text("{}")
+        path.chmod(0o644)
+    (folder / "recordings").chmod(0o755)
+    (folder / "recordings" / "link.mcap").symlink_to(foreign)
+    with held_by_launcher(folder):
+        assert stat.S_IMODE((folder / FORMAT_FILE).stat().st_mode) == 0o600
+        assert stat.S_IMODE((folder / "recordings").stat().st_mode) == 0o700
+        assert stat.S_IMODE((folder / "recordings" / "a.mcap").stat().st_mode) == 0o600
+        assert stat.S_IMODE(foreign.stat().st_mode) == 0o644
+
+
 def test_a_web_process_alone_keeps_a_second_one_out_and_counts_as_a_station(tmp_path: Path) -> None:
     with DataFolder(tmp_path, WEB):
         with pytest.raises(ConflictError):
@@ -70,6 +86,27 @@ def test_a_web_process_alone_keeps_a_second_one_out_and_counts_as_a_station(tmp_
             """The flight process has a lock of its own."""
     with held_by_launcher(tmp_path, patience_s=0.0), pytest.raises(ConflictError):
         held_by_launcher(tmp_path, patience_s=0.0)
+
+
+def test_a_second_launcher_is_told_at_once_at_which_port_the_first_one_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def wait(_: float) -> None:
+        raise AssertionError("there is nothing to wait for")
+
+    with DataFolder(tmp_path, STATION), DataFolder(tmp_path, WEB):
+        leave(tmp_path, Whereabouts("127.0.0.1", 8123, tls=False))
+        monkeypatch.setattr("epf_gcs.data_folder.lock.time.sleep", wait)
+        with pytest.raises(ConflictError, match=f"process {os.getpid()}, TCP port 8123") as taken:
+            held_by_launcher(tmp_path)
+    assert (taken.value.code, taken.value.params["port"]) == ("data_folder_taken", 8123)
+
+
+def test_one_that_was_killed_leaves_no_port_that_counts(tmp_path: Path) -> None:
+    leave(tmp_path, Whereabouts("127.0.0.1", 8123, tls=False))
+    with DataFolder(tmp_path, STATION), pytest.raises(ConflictError) as taken:
+        held_by_launcher(tmp_path, patience_s=0.0)
+    assert "port" not in taken.value.params
 
 
 def test_the_number_of_one_before_with_more_digits_leaves_nothing_behind(tmp_path: Path) -> None:

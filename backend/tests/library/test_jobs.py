@@ -84,6 +84,18 @@ def test_a_cancelled_job_leaves_nothing_and_is_not_begun_again_by_itself(large: 
         waits(gateway, "pack", lambda job: job["state"] == "running")
 
 
+def test_a_packing_that_was_killed_leaves_no_half_file_neither_does_one_of_an_earlier_run(large: Path) -> None:
+    recordings = large / "recordings"
+    (recordings / "20250101T100000Z.mcap.packing").write_bytes(b"of an earlier run")
+    with running_gateway(large) as gateway:
+        job = waits(gateway, "pack", lambda job: job["state"] == "running" and job["progress"] > 0)
+        assert [path.name for path in recordings.glob("*.packing")] == [f"{FLIGHT}.mcap.packing"]
+        (worker,) = found(os.getpid(), "epf_gcs.flights pack")
+        os.kill(worker, signal.SIGKILL)
+        waits(gateway, "pack", lambda one: one["id"] == job["id"] and one["state"] == "failed")
+        eventually(lambda: not list(recordings.glob("*.packing")), "the half file is removed")
+
+
 def test_a_gateway_that_ends_ends_its_workers(large: Path) -> None:
     with running_gateway(large) as gateway:
         waits(gateway, "pack", lambda job: job["state"] == "running" and job["progress"] > 0)

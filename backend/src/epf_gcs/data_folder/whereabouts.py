@@ -8,8 +8,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.data_folder.lock import is_in_use
+from epf_gcs.data_folder.lock import FLIGHT, PATIENCE_S, STATION, WEB, DataFolder, held, is_in_use, tighten
 from epf_gcs.disk import replace_file
+from epf_gcs.errors import ConflictError
 
 FILE: Final = "listening.json"
 _LONGEST: Final = 10_000
@@ -59,3 +60,31 @@ def of_running(folder: Path) -> Whereabouts | None:
     if not isinstance(host, str) or type(port) is not int or not 0 < port < 1 << 16 or not isinstance(tls, bool):
         return None
     return Whereabouts(host, port, tls)
+
+
+def held_by_launcher(path: Path, patience_s: float = PATIENCE_S) -> DataFolder:
+    """The folder for a launcher, whose processes lock their own parts of it. Raises ConflictError if a station has any
+    part: at once, with its port, where one runs; else after a short wait for one that is ending. Raises OSError."""
+    try:
+        station = held(path, 0.0 if of_running(path) else patience_s, STATION)
+    except ConflictError as taken:
+        running = of_running(path)
+        if running is None:
+            raise
+        pid = taken.params["pid"]
+        raise ConflictError(
+            "data_folder_taken",
+            f"The data folder {path} is in use by another epf-gcs (process {pid or 'unknown'}, TCP port "
+            f"{running.port}): open its page, stop it, or start this one with another data folder.",
+            path=str(path),
+            pid=pid,
+            port=running.port,
+        ) from None
+    try:
+        for name in (FLIGHT, WEB):
+            held(path, patience_s, name).release()
+        tighten(path)
+    except BaseException:
+        station.release()
+        raise
+    return station

@@ -36,8 +36,8 @@ log = structlog.get_logger("flight")
 
 def main() -> None:
     """Entry point of `epf-flight`. Ends with 0 on SIGTERM, SIGINT or SIGHUP."""
-    options = _options()
     write_private_files()
+    options = _options()
     set_up_logging(verbose=options.verbose)
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     priority = go_first()

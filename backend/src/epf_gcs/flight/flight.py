@@ -215,7 +215,7 @@ class Flight:
         self._advised = AdviceWatch(inspector_sources, self.outlet)
         self._requests = self._client_names.remembering(
             {
-                **state_requests(self.status, self.telemetry, inspector_sources),
+                **state_requests(self.status, vehicle.newest, inspector_sources),
                 **line_requests(self.lines, self.supervisor, self.simulator),
                 **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet, self.hil),
                 **parameter_requests(self.parameters),

@@ -16,10 +16,10 @@ from typing import Annotated, Final
 
 import typer
 
-from epf_gcs.data_folder.lock import held_by_launcher
 from epf_gcs.data_folder.place import data_folder
 from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.data_folder.version import FormatError
+from epf_gcs.data_folder.whereabouts import held_by_launcher
 from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.access import access_arguments, invite, invite_command, print_invitation
 from epf_gcs.launcher.config import NAME, entries_of, load_config

@@ -300,6 +300,7 @@ class Flights:
     async def _work(self, kind: Literal["pack", "index"], path: str, flight: str) -> Job:
         job = self._preparing = self.jobs.start(kind, [path], flight=flight)
         await job.ended.wait()
+        await self.in_thread(self._folder.drop_half_packed, flight)
         await self._refresh()
         return job
 
@@ -341,6 +342,7 @@ class Flights:
         """Delete what an earlier run left half done."""
         for folder in (self.places.incoming, self.places.exports):
             shutil.rmtree(folder, ignore_errors=True)
+        self._folder.drop_half_packed("*")
 
 
 def unknown(flight: str) -> NotFoundError:

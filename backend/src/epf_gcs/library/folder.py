@@ -12,7 +12,7 @@ from typing import Final
 from epf_gcs.disk import regular_files
 from epf_gcs.errors import ConflictError, NotFoundError
 from epf_gcs.library.about import About, read_about, write_about
-from epf_gcs.recordings.places import Places, is_id, started_s
+from epf_gcs.recordings.places import PACKING, Places, is_id, started_s
 
 KEPT_S: Final = 30 * 86400.0
 """How long the bin keeps a flight."""
@@ -98,6 +98,12 @@ class FlightFolder:
             for parent in (folder.parent, folder.parent.parent):
                 with contextlib.suppress(OSError):
                     parent.rmdir()
+
+    def drop_half_packed(self, flight: str) -> None:
+        """Remove what a packing left that was killed; `*`: of all flights. None may be under way."""
+        for path in regular_files(self._places.recordings, f"{flight}.mcap{PACKING}"):
+            with contextlib.suppress(OSError):
+                path.unlink(missing_ok=True)
 
     def drop_orphans(self) -> list[str]:
         """Remove what was made of flights whose recording has gone; returns their ids.

@@ -20,10 +20,10 @@ from epf_gcs.recordings.limits import LIMITS, Limits, RecordingError
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.packed_file import PackedFile
 from epf_gcs.recordings.parts import Messages
+from epf_gcs.recordings.places import PACKING
 from epf_gcs.recordings.reading import Reader
 from epf_gcs.recordings.scan import HEAD, PAYLOAD_AT, SEQUENCE_AT, Bytes, Other, Places
 
-_TEMPORARY: Final = ".packing"
 # Of the work, how much is packing; the rest is reading back.
 _PACKING_SHARE: Final = 0.8
 _LIBRARY: Final = "epf-gcs packing"
@@ -92,7 +92,7 @@ def pack(
     `progress` gets 0 to 1. Raises RecordingError if it cannot or must not be packed, PackingCancelledError, OSError.
     """
     into = source if target is None else target
-    temporary = into.with_name(into.name + _TEMPORARY)
+    temporary = into.with_name(into.name + PACKING)
     before = source.stat()
     steps = _Steps(is_over, progress, max(1, before.st_size))
     try:

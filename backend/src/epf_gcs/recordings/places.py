@@ -16,6 +16,8 @@ ID_PATTERN: Final = r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$"
 _ID: Final = re.compile(ID_PATTERN)
 _TRIES: Final = 5
 SUMMARY: Final = "summary.json"
+PACKING: Final = ".packing"
+"""What the name of a file ends with while a recording is packed into it."""
 
 Stamp = tuple[int, int]
 """Size in bytes and time of the last change (ns): another stamp, another content."""

@@ -28,6 +28,7 @@ from epf_gcs.replay.vehicle_process import VehicleProcess
 from epf_gcs.system.limits import limit_memory
 from epf_gcs.system.loops import new_loop
 from epf_gcs.system.priority import WAITED_FOR, be_nice
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.system.signals import on_polite_end
 
 _MEMORY_BYTES: Final = 2 << 30
@@ -35,6 +36,7 @@ _MEMORY_BYTES: Final = 2 << 30
 
 def main() -> None:
     """Entry point of `epf-replay`. Ends with 0 on SIGTERM, SIGINT, or the end of standard input (`--with-parent`)."""
+    write_private_files()
     options = _options()
     set_up_logging(verbose=False)
     _be_modest(options)

@@ -111,7 +111,7 @@ class Viewing:
             return player.status()
 
         async def telemetry(_: Asker, __: dict[str, Any]) -> Any:
-            return player.head.vehicle.telemetry.snapshot()
+            return player.head.vehicle.newest()
 
         async def parameters(_: Asker, __: dict[str, Any]) -> Any:
             return player.head.known.now["parameters"]

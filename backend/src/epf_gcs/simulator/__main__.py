@@ -25,6 +25,7 @@ from epf_gcs.simulator.situation import (
     Wind,
     parse_wind,
 )
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.system.signals import POLITE
 
 LOOPBACK = "127.0.0.1"
@@ -283,6 +284,7 @@ def _fail(text: str) -> NoReturn:
 
 def main() -> None:
     """Entry point of `epf-sim`."""
+    write_private_files()
     app()
 
 

@@ -26,6 +26,8 @@ _ROW_AGE_S: Final = 1.0
 _MOST_ROWS: Final = 256
 _SHOW_EVERY_S: Final = 0.02
 _RAW_EVERY_S: Final = 0.2
+SIMULATOR_TOPICS: Final = frozenset({"simulator", "xplane_info", "xplane_rows"})
+"""The topics that are made of the simulator's rows."""
 
 
 class Samples(Protocol):

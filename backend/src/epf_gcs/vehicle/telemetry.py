@@ -150,14 +150,15 @@ class Telemetry:
         """Commanded period of this topic; None if no task of the board sends it."""
         return self._commanded_period_s(TASK_OF_TOPIC[topic]) if topic in _TASK_TOPICS else None
 
-    def snapshot(self) -> dict[str, dict[str, Any]]:
-        """The newest sample of every topic with its age, for a single request (viewers get a stream)."""
+    def snapshot(self, frozen: frozenset[str] = frozenset()) -> dict[str, dict[str, Any]]:
+        """The newest sample of every topic with its age, for a single request (viewers get a stream). The `frozen`
+        topics arrive, but their values stand still: none of them is live."""
         now_s = self._clock.now_s()
         return {
             topic: {
                 "t_s": sample.t_s,
                 "age_s": now_s - sample.t_s,
-                "stale": self._is_stale(topic, self._health[topic], now_s),
+                "stale": topic in frozen or self._is_stale(topic, self._health[topic], now_s),
                 "values": sample.values,
             }
             for topic, sample in self.samples().items()

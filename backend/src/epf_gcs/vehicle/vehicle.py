@@ -13,7 +13,7 @@ from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
 from epf_gcs.vehicle.simulator_motion import JUMPED, Jump
-from epf_gcs.vehicle.simulator_samples import SimulatorSamples
+from epf_gcs.vehicle.simulator_samples import SIMULATOR_TOPICS, SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
 
 
@@ -38,6 +38,11 @@ class Vehicle:
         """Example values jump when they begin again: of those nothing is told."""
         if not self.board.is_emulated:
             self._outlet.event(JUMPED, jump.as_event())
+
+    def newest(self) -> dict[str, dict[str, Any]]:
+        """The newest sample of every topic: t_s, age_s, stale, values. Those of a paused simulator are stale."""
+        is_paused = self.simulator.motion.is_paused(self.clock.now_s())
+        return self.telemetry.snapshot(SIMULATOR_TOPICS if is_paused else frozenset())
 
     def kept(self) -> dict[str, Any]:
         """All that what comes next depends on, as plain values for `restore`: a key frame of a recording."""

@@ -32,6 +32,7 @@ _GIVEN: Final = (
 
 def main() -> None:
     """Entry point of `epf-web`."""
+    write_private_files()
     options = _options()
     given = {name: getattr(options, name) for name in _GIVEN}
     try:
@@ -42,7 +43,6 @@ def main() -> None:
     if options.print_openapi:
         _print_openapi(settings)
         return
-    write_private_files()
     set_up_logging(verbose=options.verbose)
     leave_flight_core()
     if options.with_parent:

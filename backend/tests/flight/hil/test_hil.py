@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from epf_gcs.bus.definition import Asker
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
@@ -237,6 +238,8 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
 
     await eventually_async(lambda: paused(raised=True), "it is paused, and the alarm comes")
     assert "hil_lost" not in {alarm["id"] for alarm in station.status()["alarms"]}
+    newest = await station._requests["telemetry"](Asker(), {})
+    assert {topic for topic, one in newest.items() if one["stale"]} >= {"simulator", "xplane_info"}, "not live"
     answers, sent = station.hil.round_trip.answers, station.hil.frames_to_board
     await eventually_async(lambda: paused(raised=True) and station.hil.frames_to_board > sent + 50, "rows go on")
     assert station.hil.round_trip.answers == answers
@@ -251,6 +254,8 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
         return "simulator_paused" not in alarms and not station.status()["simulator"]["paused"]
 
     await eventually_async(moves, "it flies on, and the alarm goes")
+    newest = await station._requests["telemetry"](Asker(), {})
+    assert not newest["simulator"]["stale"]
     await eventually_async(lambda: moves() and station.hil.round_trip.answers > answers, "and it is measured again")
 
 

@@ -10,17 +10,18 @@ from epf_gcs.bus.definition import Asker
 from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.vehicle.alarms import Alarms
-from epf_gcs.vehicle.telemetry import Telemetry
 
 
-def state_requests(status: Callable[[], dict[str, Any]], telemetry: Telemetry, sources: InspectorSources) -> Table:
+def state_requests(
+    status: Callable[[], dict[str, Any]], newest: Callable[[], dict[str, Any]], sources: InspectorSources
+) -> Table:
     """status; telemetry: the newest sample of each topic with its age; inspector: every message, measured."""
 
     async def read_status(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
         return status()
 
     async def read_telemetry(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
-        return telemetry.snapshot()
+        return newest()
 
     async def inspect(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
         # Copy here, calculate in a thread, so that the HIL loop does not wait.
