@@ -7,14 +7,7 @@ type Flat = readonly [x: number, y: number];
  * border that crosses itself it is not clear what is inside, so that it cannot be kept.
  */
 export function crossingSides(corners: readonly Position[]): readonly [number, number] | null {
-  const first_deg = corners[0]?.longitude_deg ?? 0;
-  // Longitudes count from the first corner, so that no border has a seam in it.
-  const places = corners.map(
-    ({ latitude_deg, longitude_deg }): Flat => [
-      (((longitude_deg - first_deg + 180) % 360) + 360) % 360,
-      latitude_deg,
-    ],
-  );
+  const places = flat(corners, corners);
   if (places.length < 3) {
     return null;
   }
@@ -28,6 +21,39 @@ export function crossingSides(corners: readonly Position[]): readonly [number, n
     }
   }
   return null;
+}
+
+/** Whether a place lies inside the border; twice enclosed counts as outside. */
+export function isInside(corners: readonly Position[], place: Position): boolean {
+  const border = flat(corners, corners);
+  const [[x, y] = [0, 0]] = flat(corners, [place]);
+  let inside = false;
+  for (const [nth, [x1, y1]] of border.entries()) {
+    const [x2, y2] = border[(nth + 1) % border.length] ?? [x1, y1];
+    if (y1 > y !== y2 > y && x < x1 + ((y - y1) / (y2 - y1)) * (x2 - x1)) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/** Whether the straight way between two places crosses or touches the border. */
+export function crosses(corners: readonly Position[], from: Position, to: Position): boolean {
+  const border = flat(corners, corners);
+  const [start, end] = flat(corners, [from, to]);
+  return border.some((corner, nth) => {
+    const next = border[(nth + 1) % border.length];
+    return start !== undefined && end !== undefined && next !== undefined && meet(start, end, corner, next);
+  });
+}
+
+/** Places in one plane; longitudes count from the border's first corner, so that no border has a seam in it. */
+function flat(corners: readonly Position[], places: readonly Position[]): readonly Flat[] {
+  const first_deg = corners[0]?.longitude_deg ?? 0;
+  return places.map(({ latitude_deg, longitude_deg }) => [
+    (((longitude_deg - first_deg + 180) % 360) + 360) % 360,
+    latitude_deg,
+  ]);
 }
 
 function meet(a: Flat, b: Flat, c: Flat, d: Flat): boolean {

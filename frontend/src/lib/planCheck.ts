@@ -21,7 +21,11 @@ export type PlanFault =
   | "steep"
   | "inside_capture"
   | "far"
-  | "slow";
+  | "slow"
+  | "outside_fence"
+  | "leaves_fence"
+  | "above_ceiling"
+  | "meets_ground";
 
 /** A fault of a plan. An `error` prevents its upload, a `warning` does not. */
 export interface PlanIssue {

@@ -5,7 +5,7 @@ import type { Waypoint } from "../lib/plan";
 import { type Asked, Station } from "../test/station";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
-import { boardHas, editPlan, MISSIONS, usePlans } from "./planDrafts";
+import { boardHas, editPlan, MISSIONS, noteHazards, usePlans } from "./planDrafts";
 import { SendPlan } from "./SendPlan";
 
 const user = userEvent.setup();
@@ -136,4 +136,31 @@ test("an autopilot that flies nobody knows where to is asked for as well, and ca
   expect(screen.queryByRole("button", { name: /seguir al/ })).toBeNull();
   await press("Enviar y empezar por el 1");
   expect(newest(station).method).toBe("PUT");
+});
+
+test("a plan that leaves the fence is sent only after a question, which says where", async () => {
+  const station = edited();
+  const { plans } = station.page.parts.get(MISSIONS);
+  const of = plans.getState().flight.draft.present;
+  const issue = {
+    level: "warning",
+    code: "leaves_fence",
+    row: 1,
+    field: "latitude_deg",
+    params: {},
+  } as const;
+  act(() => noteHazards(plans, "flight", { of, issues: [issue] }));
+  await press("send");
+  expect(screen.getByRole("alertdialog").textContent).toContain(
+    "Waypoint 2: el tramo hasta él sale de la valla.",
+  );
+  await press("Cancelar");
+  expect(station.asked).toEqual([]);
+  await press("send");
+  await press("Enviar de todos modos");
+  expect(newest(station).method).toBe("PUT");
+  // Hazards of other waypoints are not those of these.
+  act(() => editPlan(plans, "flight", of.slice(0, 1)));
+  await press("send");
+  expect(screen.queryByRole("alertdialog")).toBeNull();
 });

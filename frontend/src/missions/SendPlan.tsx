@@ -2,13 +2,15 @@ import { Upload } from "lucide-react";
 import { type ReactNode, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { sameRow, type Waypoint } from "../lib/plan";
+import type { PlanIssue } from "../lib/planCheck";
 import type { PlanName } from "../protocol/missions";
 import { useAsked } from "../requests/useAsked";
 import { usePart, useTelemetry } from "../store/hooks";
 import { Button } from "../ui/Button";
 import { ConfirmDialog } from "../ui/ConfirmDialog";
-import { MISSIONS, usePlans } from "./planDrafts";
+import { hazardsOf, MISSIONS, usePlans } from "./planDrafts";
 import { PLAN } from "./planFacts";
+import { useIssueText } from "./useIssueText";
 
 interface Props {
   plan: PlanName;
@@ -20,10 +22,11 @@ interface Props {
 
 /**
  * Sends the edited plan. The board starts a received plan at waypoint 1: if it flies a plan now, ask first whether it
- * should go on to its present waypoint.
+ * should go on to its present waypoint. A plan that leaves the fence or meets the ground is asked about before.
  */
 export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const { t } = useTranslation();
+  const issueText = useIssueText();
   const missions = usePart(MISSIONS);
   const control = `plan.upload.${plan}`;
   const { state, stateText } = useAsked(control);
@@ -31,6 +34,15 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const [asked, setAsked] = useState<Flown | null>(null);
   // What an open question offers stays under the finger when the stream ends; it follows the board while that is known.
   const flown = asked === null || (now.row !== null && asked.row !== null) ? now : asked;
+
+  const hazards = usePlans((plans) => hazardsOf(plans[plan]));
+  const [found, setFound] = useState<readonly PlanIssue[]>([]);
+
+  function begin(): void {
+    setFound([]);
+    if (now.isFlown) setAsked(now);
+    else send(null);
+  }
 
   function send(goOnTo: number | null): void {
     setAsked(null);
@@ -46,7 +58,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
     <>
       <Button
         variant="primary"
-        onPress={() => (now.isFlown ? setAsked(now) : send(null))}
+        onPress={() => (hazards.length > 0 ? setFound(hazards) : begin())}
         state={state}
         stateText={stateText}
         disabledReason={disabledReason}
@@ -54,6 +66,17 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
       >
         {children}
       </Button>
+      {found.length > 0 && (
+        <ConfirmDialog
+          title={t("plans.hazardTitle")}
+          text={found.map(issueText).join(" ")}
+          confirmLabel={t("plans.hazardSend")}
+          cancelLabel={t("dialog.cancel")}
+          danger
+          onConfirm={begin}
+          onCancel={() => setFound([])}
+        />
+      )}
       {asked !== null && (
         <ConfirmDialog
           title={t("plans.sendTitle")}

@@ -3,6 +3,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber, isObject, list, shape } from "../lib/check";
 import { amended, begun, edited, type History, redone, undone } from "../lib/history";
 import { samePlan, type Waypoint } from "../lib/plan";
+import type { PlanIssue } from "../lib/planCheck";
 import { type ImportedWaypoint, isImportedWaypoint } from "../protocol/guards.gen";
 import type { CommandName } from "../protocol/messages.gen";
 import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
@@ -22,11 +23,21 @@ export interface Plan {
   readonly notes: readonly Message[];
   /** What its file had, with the heights from which its altitudes were converted; empty if none were. */
   readonly imported: readonly ImportedWaypoint[];
+  /** Where the draft leaves the fence or meets the ground, as far as a map has worked it out. */
+  readonly hazards: PlanHazards;
   /** What a person has to say about a file before it is read; null: nothing. */
   readonly question: ImportQuestion | null;
   /** A plan of the past: it is shown as it was, and no edit changes it. */
   readonly isFixed: boolean;
 }
+
+/** The hazards of a plan's geometry, and the waypoints that they are of: others have none that are known. */
+export interface PlanHazards {
+  readonly of: readonly Waypoint[] | null;
+  readonly issues: readonly PlanIssue[];
+}
+
+const NO_HAZARDS: PlanHazards = { of: null, issues: [] };
 
 export type Plans = Readonly<Record<PlanName, Plan>>;
 export type PlanStore = StoreApi<Plans>;
@@ -140,6 +151,16 @@ export function takeImport(store: PlanStore, plan: PlanName, imported: readonly 
   change(store, plan, () => ({ imported: imported.filter(({ origin }) => origin !== null) }));
 }
 
+/** These waypoints have these hazards. */
+export function noteHazards(store: PlanStore, plan: PlanName, hazards: PlanHazards): void {
+  change(store, plan, () => ({ hazards }));
+}
+
+/** The hazards of the plan's draft; empty while none are known. */
+export function hazardsOf({ draft, hazards }: Plan): readonly PlanIssue[] {
+  return hazards.of === draft.present ? hazards.issues : NO_HAZARDS.issues;
+}
+
 /** Ask this about a file; null: the question was answered, or dropped with its file. */
 export function askAboutFile(store: PlanStore, plan: PlanName, question: ImportQuestion | null): void {
   change(store, plan, () => ({ question }));
@@ -161,6 +182,7 @@ function begin(waypoints: unknown, imported: unknown): Plan {
     board: null,
     notes: [],
     imported: isImported(imported) ? imported : [],
+    hazards: NO_HAZARDS,
     question: null,
     isFixed: false,
   };

@@ -18,6 +18,8 @@ export function useIssueText(): (issue: PlanIssue) => string {
         const value = params[name] ?? null;
         switch (name === "value" || name === "minimum" || name === "maximum" ? field : name) {
           case "altitude_ft":
+          case "ceiling_ft":
+          case "below_ft":
             return `${altitude.format(value) ?? t("words.dash")} ${altitude.label}`;
           case "speed_kt":
           case "least_kt":
@@ -44,6 +46,8 @@ export function useIssueText(): (issue: PlanIssue) => string {
         distance: written("distance_m"),
         radius: written("radius_m"),
         least: written("least_kt"),
+        ceiling: written("ceiling_ft"),
+        below: written("below_ft"),
       });
     },
     [t, altitude, speed, distance],

@@ -3,7 +3,7 @@ import type { Waypoint } from "../lib/plan";
 import { checkPlan, type PlanIssue } from "../lib/planCheck";
 import { PLAN_LIMITS, type PlanName } from "../protocol/missions";
 import { useTelemetry } from "../store/hooks";
-import { type PlanState, planState, usePlans } from "./planDrafts";
+import { hazardsOf, type PlanState, planState, usePlans } from "./planDrafts";
 import { PLAN } from "./planFacts";
 
 export interface ShownPlan {
@@ -23,9 +23,10 @@ export function usePlan(plan: PlanName): ShownPlan {
   const waypoints = usePlans((plans) => plans[plan].draft.present);
   const state = usePlans((plans) => planState(plans[plan]));
   const isFixed = usePlans((plans) => plans[plan].isFixed);
+  const hazards = usePlans((plans) => hazardsOf(plans[plan]));
   const issues = useMemo(
-    () => (isFixed && waypoints.length === 0 ? [] : checkPlan(waypoints, PLAN_LIMITS)),
-    [isFixed, waypoints],
+    () => (isFixed && waypoints.length === 0 ? [] : [...checkPlan(waypoints, PLAN_LIMITS), ...hazards]),
+    [isFixed, waypoints, hazards],
   );
   const flownTo = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),

@@ -18,6 +18,7 @@ import { PatternSection } from "./PatternSection";
 import { PlanSection } from "./PlanSection";
 import { ProfileSection } from "./ProfileSection";
 import { FlyHere } from "./plan/FlyHere";
+import { PlanHazards } from "./profile/PlanHazards";
 import { GlobeMissing } from "./scenes/GlobeMissing";
 import { FlatContext, useMapKind } from "./scenes/useFlat";
 import { GlobeContext } from "./scenes/useGlobe";
@@ -63,6 +64,8 @@ export function MapView() {
               </div>
               <FlightFigures />
               <SurroundingsOnMap />
+              <PlanHazards plan="flight" />
+              <PlanHazards plan="hil" />
               <MapKeys picture={picture} />
               <MapMenu />
               <FlyHere />

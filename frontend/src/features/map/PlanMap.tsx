@@ -13,6 +13,7 @@ import { FlyHere } from "./plan/FlyHere";
 import { useMapPlan } from "./plan/useMapPlan";
 import { OpenPlanContext } from "./plan/useOpenPlan";
 import { usePlanScene } from "./plan/usePlanScene";
+import { PlanHazards } from "./profile/PlanHazards";
 import { PlanProfile } from "./profile/PlanProfile";
 import { FlatContext } from "./scenes/useFlat";
 import { SurroundingsOnMap } from "./surroundings/SurroundingsOnMap";
@@ -58,6 +59,7 @@ function Shown({ plan, scene, onScene }: ShownProps) {
       </div>
       <Measuring />
       <SurroundingsOnMap />
+      <PlanHazards plan={plan} />
       <MapKeys picture={picture} />
       <MapMenu />
       <FlyHere />

@@ -3,7 +3,7 @@ import type { Aircraft } from "../../../lib/aircraft";
 import { samePlan, type Waypoint } from "../../../lib/plan";
 import { checkPlan, type PlanIssue } from "../../../lib/planCheck";
 import type { PlanState } from "../../../missions/planDrafts";
-import { usePlans } from "../../../missions/planDrafts";
+import { hazardsOf, usePlans } from "../../../missions/planDrafts";
 import { PLAN } from "../../../missions/planFacts";
 import { ROUTES } from "../../../protocol/messages.gen";
 import { PLAN_LIMITS } from "../../../protocol/missions";
@@ -41,9 +41,10 @@ export function useMapPlan(plan: Aircraft): MapPlan {
   const named = ROUTES.find(({ planName }) => planName === route);
   const onBoard = read ?? named?.waypoints ?? null;
   const waypoints = draft.length === 0 ? (onBoard ?? NOTHING) : draft;
+  const hazards = usePlans((plans) => hazardsOf(plans[plan]));
   const issues = useMemo(
-    () => (isFixed && waypoints.length === 0 ? [] : checkPlan(waypoints, PLAN_LIMITS)),
-    [isFixed, waypoints],
+    () => (isFixed && waypoints.length === 0 ? [] : [...checkPlan(waypoints, PLAN_LIMITS), ...hazards]),
+    [isFixed, waypoints, hazards],
   );
   return {
     waypoints,
