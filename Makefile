@@ -182,7 +182,7 @@ check-types: $(DONE)/venv-dev
 	cd backend && ../$(BIN)/mypy
 
 check-firmware: $(DONE)/venv-dev
-	$(FIRMWARE) format-check layers-check
+	+$(FIRMWARE) format-check layers-check
 
 check-page: $(DONE)/frontend
 	cd frontend && npm run --silent check
