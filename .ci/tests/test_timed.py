@@ -44,8 +44,10 @@ def test_make_test_runs_every_part_to_its_end_and_is_red_where_one_failed(tmp_pa
         f"include {MAKEFILE}\nsetup: ;\n.PHONY: first second third\n"
         "first:\n\t@echo ran first; false\nsecond third:\n\t@echo ran $@\n"
     )
-    command = ["make", "-f", rules, f"MADE={rules}", f"RESULTS={tmp_path / 'results'}", "PARTS=first second third", "test"]
-    done = subprocess.run(command, cwd=MAKEFILE.parent, capture_output=True, text=True, check=False)
+    given = [f"MADE={rules}", f"RESULTS={tmp_path / 'results'}", "PARTS=first second third"]
+    done = subprocess.run(
+        ["make", "-f", rules, *given, "test"], cwd=MAKEFILE.parent, capture_output=True, text=True, check=False
+    )
     ran = [line.removeprefix("ran ") for line in done.stdout.splitlines() if line.startswith("ran ")]
     assert ran == ["first", "second", "third"], done.stdout + done.stderr
     assert done.returncode != 0
