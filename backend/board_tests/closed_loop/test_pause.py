@@ -6,6 +6,7 @@ A frame of a pause brings the board command 50 once more while the simulator's t
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Final
 
 import pytest
@@ -37,8 +38,9 @@ def climb(loop: ClosedLoop) -> None:
     step(loop, CLIMB, 8.0)
 
 
+@cache
 def flown(enter: Callable[[ClosedLoop], None], pause_s: float, *, stick_trembles: bool = False) -> list[Sample]:
-    """The flight after a pause of this length (0: without one)."""
+    """The flight after a pause of this length (0: without one), flown once for all tests that compare with it."""
     with cruise() as loop:
         enter(loop)
         loop.pause(pause_s, stick_trembles=stick_trembles)

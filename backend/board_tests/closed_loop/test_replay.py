@@ -11,11 +11,12 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import httpx
 import orjson
-import pytest
 from websockets.sync.client import ClientConnection, connect
 
 from tests.support.firmware import make
@@ -85,11 +86,10 @@ class Client:
         return self.kept
 
 
-@pytest.fixture(scope="module")
-def flight(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, str, Kept]]:
+@contextmanager
+def flight(folder: Path) -> Iterator[tuple[str, str, Kept]]:
     """Some seconds flown: the gateway's address, the recording's id and what a client kept."""
     make("board")
-    folder = tmp_path_factory.mktemp("replay")
     receive_port, send_port = free_udp_port(), free_udp_port()
     with (
         board_process(folder / "board") as _,
@@ -163,21 +163,17 @@ def replayed(url: str, flight_id: str, live: Kept) -> Kept:
     return kept
 
 
-def test_the_replay_gives_the_samples_of_the_flight_value_for_value_with_their_times(
-    flight: tuple[str, str, Kept],
+def test_the_replay_gives_the_samples_of_the_flight_value_for_value_with_their_times_and_its_events(
+    tmp_path: Path,
 ) -> None:
-    url, flight_id, live = flight
-    replay = replayed(url, flight_id, live)
+    with flight(tmp_path) as (url, flight_id, live):
+        replay = replayed(url, flight_id, live)
     assert live.missed == replay.missed == 0
     assert set(replay.samples) == set(live.samples)
     for topic, samples in live.samples.items():
         assert len(samples) >= 1
         assert replay.samples[topic] == samples, topic
 
-
-def test_the_replay_brings_the_events_of_the_flight(flight: tuple[str, str, Kept]) -> None:
-    url, flight_id, live = flight
-    replay = replayed(url, flight_id, live)
     for kind in _EVENTS:
         expected = [event for event in recorded(live.events, live) if event[0] == kind]
         assert [event for event in recorded(replay.events, live) if event[0] == kind] == expected, kind
