@@ -45,13 +45,19 @@ test.each([
       key="d"
       title="Send"
       onClose={() => undefined}
-      actions={<Button onPress={() => undefined} disabledReason="no link">Write</Button>}
+      actions={
+        <Button onPress={() => undefined} disabledReason="no link">
+          Write
+        </Button>
+      }
     />,
   ],
   [
     "dialog",
     <Dialog key="b" title="Send" onClose={() => undefined}>
-      <Button onPress={() => undefined} disabledReason="no link">Write</Button>
+      <Button onPress={() => undefined} disabledReason="no link">
+        Write
+      </Button>
     </Dialog>,
   ],
 ])(
