@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, cast
 
 
 def replace_file(path: Path, data: bytes, mode: int | None = None) -> None:
@@ -56,8 +56,17 @@ def regular_files(folder: Path, pattern: str = "*") -> list[Path]:
 
 def open_regular(path: Path) -> BinaryIO:
     """Open a file for reading and writing; raises OSError for a link, a pipe or a device, without waiting for one."""
-    descriptor = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
-    file = os.fdopen(descriptor, "r+b")
+    return _regular(path, os.O_RDWR, "r+b")
+
+
+def open_log(path: Path) -> BinaryIO:
+    """Open our own log for appending and reading, made if it is not there; raises OSError as `open_regular` does."""
+    return _regular(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, "a+b")
+
+
+def _regular(path: Path, flags: int, mode: str) -> BinaryIO:
+    descriptor = os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0), 0o600)
+    file = cast(BinaryIO, os.fdopen(descriptor, mode))
     if not stat.S_ISREG(os.fstat(descriptor).st_mode):
         file.close()
         raise OSError(errno.EINVAL, "not a regular file", str(path))

@@ -112,3 +112,16 @@ async def test_a_disk_that_takes_nothing_is_reported(tmp_path: Path, faults: lis
     await settled(log)
     log.close()
     assert [fault.code for fault in faults] == ["people_log_not_written"]
+
+
+@pytest.mark.anyio
+async def test_a_link_in_the_place_of_the_log_is_not_written_through_and_that_is_told(
+    deeds: DeedLog, faults: list[GatewayError], tmp_path: Path
+) -> None:
+    foreign = tmp_path / "foreign"
+    foreign.write_bytes(b"of somebody else\n")
+    (tmp_path / FILE).symlink_to(foreign)
+    deeds.note(LOCAL, "", "holder", "a > b", "taken")
+    await settled(deeds)
+    assert foreign.read_bytes() == b"of somebody else\n"
+    assert [fault.code for fault in faults] == ["people_log_not_written"]

@@ -18,7 +18,7 @@ from typing import Any, BinaryIO, Final
 import orjson
 
 from epf_gcs.access.caller import Caller
-from epf_gcs.disk import sync_folder
+from epf_gcs.disk import open_log, sync_folder
 from epf_gcs.errors import GatewayError
 from epf_gcs.system.files import read_at
 
@@ -109,8 +109,8 @@ class DeedLog:
     def _write(self, data: bytes) -> None:
         if not data:
             return
-        descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o600)
-        try:
+        with open_log(self._path) as file:
+            descriptor = file.fileno()
             size = os.fstat(descriptor).st_size
             # A power cut may have torn the last line: the next one does not continue it.
             is_torn = size > 0 and read_at(descriptor, 1, size - 1) != b"\n"
@@ -118,8 +118,6 @@ class DeedLog:
             if os.write(descriptor, whole) != len(whole):
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
             os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
         if size == 0:
             sync_folder(self._folder)
         if size + len(data) > TURNED_OVER_BYTES:

@@ -117,7 +117,7 @@ def kept_jobs(folder: Path) -> list[FieldJob]:
     if not folder.is_dir():
         return found
     for one in sorted(folder.iterdir()):
-        job = _kept(one)
+        job = None if one.is_symlink() else _kept(one)
         if job is not None:
             found.append(job)
     return found

@@ -148,3 +148,14 @@ async def test_a_line_is_appended_without_writing_the_others_again(tmp_path: Pat
             file.append(b"%d" % number)
         file.close()
         assert as_it_was.read() == b"a\n0\n1\n2\n3\n4\n"
+
+
+async def test_a_link_in_the_place_of_the_file_is_not_written_through_and_that_is_told(tmp_path: Path) -> None:
+    foreign, path = tmp_path / "foreign", tmp_path / "lines.jsonl"
+    foreign.write_bytes(b"of somebody else\n")
+    path.symlink_to(foreign)
+    file, reported = a_file(path)
+    file.append(b"a")
+    file.close()
+    await eventually_async(lambda: bool(reported), "the person is told")
+    assert foreign.read_bytes() == b"of somebody else\n"

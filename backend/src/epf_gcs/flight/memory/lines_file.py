@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from epf_gcs.disk import replace_file, set_aside
+from epf_gcs.disk import open_log, replace_file, set_aside
 from epf_gcs.errors import ErrorCode, GatewayError
 
 
@@ -92,7 +92,7 @@ class LinesFile:
         if self._on_disk >= 2 * self._keep:
             self._rewrite()
             return
-        with self._path.open("ab") as file:
+        with open_log(self._path) as file:
             file.write(line + b"\n")
             file.flush()
             os.fsync(file.fileno())
