@@ -1,4 +1,4 @@
-import { type ComponentProps, useEffect, useMemo, useRef } from "react";
+import { type ComponentProps, type ReactNode, useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { AccessBands } from "../features/access/AccessBands";
@@ -39,16 +39,22 @@ import { WindowTitle } from "./WindowTitle";
 export function App() {
   const isOut = useAdmission(({ state }) => state === "stranger" || state === "waiting");
   useLook();
-  const words = useSharedWords();
   return (
-    <WordsProvider words={words}>
-      <RefusalProvider value={usePage().messages.refuse}>
-        {isOut ? (
-          <ENTER_PAGE.Part waiting={null} failed={(retry) => <LoadFailure onRetry={retry} />} />
-        ) : (
-          <Window />
-        )}
-      </RefusalProvider>
+    <Shared>
+      {isOut ? (
+        <ENTER_PAGE.Part waiting={null} failed={(retry) => <LoadFailure onRetry={retry} />} />
+      ) : (
+        <Window />
+      )}
+    </Shared>
+  );
+}
+
+/** What every part of the page finds around it: the controls' words, and who answers a press that does nothing. */
+export function Shared({ children }: { children: ReactNode }) {
+  return (
+    <WordsProvider words={useSharedWords()}>
+      <RefusalProvider value={usePage().messages.refuse}>{children}</RefusalProvider>
     </WordsProvider>
   );
 }

@@ -42,7 +42,8 @@ export function MainTabs({ layout }: { readonly layout: Layout }) {
   );
 }
 
-function View({ tab }: { tab: TabName }) {
+/** What a tab shows. */
+export function View({ tab }: { tab: TabName }) {
   const { t } = useTranslation();
   const { Part } = VIEWS[tab];
   return <Part waiting={<p className="app-waiting">{t("window.loading")}</p>} failed={NotLoaded} />;

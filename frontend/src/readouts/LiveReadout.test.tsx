@@ -2,6 +2,7 @@ import { act, screen, within } from "@testing-library/react";
 import { expect, test } from "vitest";
 import { chooseUnit } from "../store/chosenUnits";
 import { Station } from "../test/station";
+import { Tab } from "../test/tab";
 
 function reading(panel: string, name: string): string {
   const row = within(screen.getByRole("region", { name: panel })).getByText(name).parentElement;
@@ -11,7 +12,7 @@ function reading(panel: string, name: string): string {
 }
 
 function flying(): Station {
-  const station = new Station();
+  const station = new Station(<Tab name="flight" />);
   station.greet();
   station.send({
     heartbeat: { analog: true },

@@ -2,6 +2,7 @@ import { screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
 const EVA = {
@@ -27,11 +28,17 @@ function newest(station: Station, method: string, path: string): Asked {
   return found;
 }
 
-async function setup(role: string, kind = "person"): Promise<Station> {
-  const station = new Station();
+async function setup(role: string, kind = "person", shown: "tab" | "window" = "tab"): Promise<Station> {
+  const station = new Station(shown === "tab" ? <Tab name="setup" /> : undefined);
   station.greet();
   const me = { state: "in", kind, role, name: "Ana · tableta", anyone_may_fly: false };
   await newest(station, "GET", "me").answer(me);
+  return station;
+}
+
+/** The tab in the whole window. */
+async function inWindow(role: string): Promise<Station> {
+  const station = await setup(role, "person", "window");
   await user.click(screen.getByRole("tab", { name: "Setup" }));
   return station;
 }
@@ -52,7 +59,7 @@ function panel(): HTMLElement {
 }
 
 test("an operator sees who they are and may leave, and nothing of the others is asked", async () => {
-  const station = await setup("operator");
+  const station = await inWindow("operator");
   expect(panel().textContent).toContain("Has entrado como Ana · tableta. Tu papel: operador.");
   expect(within(panel()).queryByRole("tab", { name: "Personas" })).toBeNull();
   expect(new Set(station.askedAccess.map(({ path }) => path))).toEqual(new Set(["/api/v1/access/me"]));
@@ -285,7 +292,7 @@ test("a program's key is made with a name, shown once, and ended only after a qu
 });
 
 test("a tab is brought to a tablet by an address that a tablet can open; where this page has none, it says so", async () => {
-  const station = await setup("operator");
+  const station = await inWindow("operator");
   const open = async (): Promise<HTMLElement> => {
     await user.click(screen.getByRole("menuitem", { name: "Ver" }));
     await user.click(await screen.findByRole("menuitem", { name: /^Abrir esta pestaña/ }));

@@ -1,9 +1,10 @@
-import { act, screen, within } from "@testing-library/react";
+import { act, cleanup, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
 const LOST = {
@@ -34,9 +35,8 @@ function panel(name: string): HTMLElement {
 }
 
 beforeEach(async () => {
-  station = new Station();
+  station = new Station(<Tab name="alarms" />);
   station.greet();
-  await user.click(screen.getByRole("tab", { name: "Alarmas" }));
   station.show();
   await asked("GET", "/api/v1/alarms")[0]?.answer({ active: [], past: [PAST] });
   await asked("GET", "/api/v1/alarms/thresholds")[0]?.answer({ thresholds: [BATTERY] });
@@ -243,7 +243,9 @@ describe("what is heard", () => {
 });
 
 test("with more alarms than two lines the strip counts the others and leads to the list", async () => {
-  await user.click(screen.getByRole("tab", { name: "HIL" }));
+  cleanup();
+  station = new Station();
+  station.greet();
   raise(LOST, LOW, { ...LOW, id: "cpu_high" }, { ...LOW, id: "gps_lost" });
   const strip = screen.getByRole("region", { name: "Alarmas" });
   expect(within(strip).getAllByRole("button", { name: /^Reconocer:/ })).toHaveLength(2);

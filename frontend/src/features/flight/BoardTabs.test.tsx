@@ -3,13 +3,14 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const CONFIRMED = { state: "confirmed", by: "acknowledgement", ms: 9, reason: null };
 const user = userEvent.setup();
 let station: Station;
 
 beforeEach(() => {
-  station = new Station();
+  station = new Station(<Tab name="flight" />);
   station.greet();
 });
 

@@ -2,6 +2,7 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const on = {
   ahrs: true,
@@ -17,7 +18,7 @@ const on = {
 let station: Station;
 
 beforeEach(() => {
-  station = new Station();
+  station = new Station(<Tab name="flight" />);
   station.greet();
 });
 

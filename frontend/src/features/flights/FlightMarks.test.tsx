@@ -3,6 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, expect, test } from "vitest";
 import { aFlight, aFlightList } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
 const MARK = {
@@ -32,9 +33,8 @@ function press(name: RegExp | string): Promise<void> {
 }
 
 beforeEach(async () => {
-  station = new Station();
+  station = new Station(<Tab name="flights" />);
   station.greet();
-  await user.click(screen.getByRole("tab", { name: "Vuelos" }));
   const flight = aFlight({ title: "Primera vuelta" });
   await station.asked
     .filter(({ path }) => path.startsWith("/api/v1/flights?"))

@@ -5,6 +5,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Job } from "../../protocol/guards.gen";
 import { aFlight, aFlightList, aJob } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 import { FLIGHT_COMPARISON } from "./flightComparison";
 
 const user = userEvent.setup();
@@ -38,9 +39,8 @@ function input(): HTMLInputElement {
 }
 
 beforeEach(async () => {
-  station = new Station();
+  station = new Station(<Tab name="flights" />);
   station.greet();
-  await user.click(screen.getByRole("tab", { name: "Vuelos" }));
   station.show();
   await newest("GET", LIST).answer(aFlightList({ flights: [FIRST, SECOND] }));
 });

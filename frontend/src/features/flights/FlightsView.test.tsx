@@ -5,6 +5,7 @@ import { formatDateTime } from "../../lib/moment";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { aFlight, aFlightEvent, aFlightList } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
 const FIRST = aFlight();
@@ -33,9 +34,8 @@ function newest(method: string, path: RegExp): Asked {
 const LIST = /\/flights\?.*sort=/;
 
 async function open(list: unknown = BOTH, status = aStatus()): Promise<void> {
-  station = new Station();
+  station = new Station(<Tab name="flights" />);
   station.greet(status);
-  await user.click(screen.getByRole("tab", { name: "Vuelos" }));
   station.show();
   await newest("GET", LIST).answer(list);
 }
@@ -72,9 +72,8 @@ describe("at first start", () => {
   });
 
   test("a list that cannot be read says why", async () => {
-    station = new Station();
+    station = new Station(<Tab name="flights" />);
     station.greet();
-    await user.click(screen.getByRole("tab", { name: "Vuelos" }));
     await newest("GET", LIST).answer(
       { code: "flight_not_written", detail: "x", params: { why: "lleno" } },
       409,

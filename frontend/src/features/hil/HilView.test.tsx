@@ -3,13 +3,13 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 let station: Station;
 
-beforeEach(async () => {
-  station = new Station();
+beforeEach(() => {
+  station = new Station(<Tab name="hil" />);
   station.greet();
-  await userEvent.setup().click(screen.getByRole("tab", { name: "HIL" }));
 });
 
 function number(panel: string, name: string): string {

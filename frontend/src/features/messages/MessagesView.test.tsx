@@ -1,8 +1,9 @@
-import { screen, within } from "@testing-library/react";
+import { cleanup, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Inspection } from "../../protocol/inspector";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
 let station: Station;
@@ -84,11 +85,9 @@ function cells(name: string): string[] {
     .map((cell) => cell.textContent ?? "");
 }
 
-beforeEach(async () => {
-  station = new Station();
+beforeEach(() => {
+  station = new Station(<Tab name="messages" />);
   station.greet();
-  expect(questions()).toEqual([]);
-  await user.click(screen.getByRole("tab", { name: "Mensajes" }));
   station.show();
 });
 
@@ -101,10 +100,10 @@ describe("the gateway is asked", () => {
     expect(questions()).toHaveLength(2);
   });
 
-  test("no longer when another tab is open", async () => {
+  test("no longer when the tab is left", async () => {
     await answered();
     const before = questions().length;
-    await user.click(screen.getByRole("tab", { name: "Setup" }));
+    cleanup();
     station.pass(5000);
     expect(questions()).toHaveLength(before);
   });

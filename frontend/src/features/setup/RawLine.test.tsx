@@ -3,15 +3,15 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 import { CONSOLE_LINES } from "./consoleLog";
 
 let station: Station;
 const user = userEvent.setup();
 
 beforeEach(async () => {
-  station = new Station();
+  station = new Station(<Tab name="setup" />);
   station.greet();
-  await user.click(screen.getByRole("tab", { name: "Setup" }));
   station.show();
 });
 

@@ -3,6 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 let station: Station;
 const user = userEvent.setup();
@@ -30,9 +31,8 @@ function newest(method: string): Asked {
 }
 
 beforeEach(async () => {
-  station = new Station();
+  station = new Station(<Tab name="setup" />);
   station.greet(closed);
-  await user.click(screen.getByRole("tab", { name: "Setup" }));
   const port = { path: "/dev/ttyUSB0", url: "serial:///dev/ttyUSB0", description: "FT232R", identity: null };
   await newest("GET").answer({ ports: [port] });
 });

@@ -1,28 +1,18 @@
 import { act, screen } from "@testing-library/react";
-import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { chooseUnit } from "../../store/chosenUnits";
 import { Station } from "../../test/station";
+import { Tab } from "../../test/tab";
 
 let station: Station;
 
-async function open(name: string): Promise<void> {
-  await userEvent.setup().click(screen.getByRole("tab", { name }));
-  station.show();
+function open(tab: "six" | "hilSix"): void {
+  station = new Station(<Tab name={tab} />);
+  station.greet();
 }
 
-beforeEach(() => {
-  station = new Station();
-  station.greet();
-});
-
-/** The instrument of this name in the tab; two of the six are in the left panel too. */
 function dial(name: string): HTMLElement {
-  const found = screen.getAllByRole("img", { name }).find((each) => each.closest("main") !== null);
-  if (found === undefined) {
-    throw new Error(`no ${name} in the tab`);
-  }
-  return found;
+  return screen.getByRole("img", { name });
 }
 
 function source(title: string): string {
@@ -46,7 +36,7 @@ const board = {
 };
 
 describe("Standard Six", () => {
-  beforeEach(() => open("Standard Six"));
+  beforeEach(() => open("six"));
 
   test("crosses all six out until something is heard", () => {
     expect(SIX.map((name) => dial(name).dataset["state"])).toEqual(Array(6).fill("none"));
@@ -119,7 +109,7 @@ describe("Standard Six", () => {
 
 describe("HIL Standard Six", () => {
   test("drives all six from the simulator and the HIL plan, whatever the board says", async () => {
-    await open("HIL Standard Six");
+    open("hilSix");
     station.send(board);
     expect(SIX.map((name) => dial(name).dataset["state"])).toEqual(Array(6).fill("none"));
     station.send({
