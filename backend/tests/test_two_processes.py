@@ -22,6 +22,7 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
 from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.contract.requests import RunCommand
 from epf_gcs.xplane.datagram import release_datagram
 from tests.bus.test_ends import Heard, connected
 from tests.support.fake_board import FakeBoard
@@ -315,9 +316,9 @@ async def test_a_flight_process_alone_opens_its_board_and_takes_commands_from_it
 ) -> None:
     with headless_flight(tmp_path / "data", "--board", board.url) as program:
         async with asked(tmp_path / "data") as (station, heard):
-            await eventually_async(lambda: any(s["board"]["state"] == "open" for s in heard.statuses), "it opens")
-            answer = await station.request("command", name="ahrs_on", arguments=[])
-            assert answer["state"] == "confirmed"
+            await eventually_async(lambda: any(s.board.state == "open" for s in heard.statuses), "it opens")
+            answer = await station.ask(RunCommand("ahrs_on", []))
+            assert answer.state == "confirmed"
             await eventually_async(lambda: any(one.name == "ahrs" for one in heard.samples), "the stream comes")
         assert program.end(signal.SIGTERM) == 0
         assert heard.losses in ([False], [True])

@@ -9,6 +9,7 @@ from typing import Any, Final, Self
 
 from board_tests.closed_loop.closed_loop import Firmware
 from epf_gcs.codec.encode import encode_command
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.stick import Stick
@@ -62,7 +63,7 @@ class StationLoop:
     def __init__(
         self,
         options: SimulationOptions,
-        profile: str,
+        profile: SimulatorProfile,
         *,
         pace: float = 1.0,
         change: Callable[[bytes], bytes] = lambda datagram: datagram,

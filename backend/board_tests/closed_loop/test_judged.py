@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 
 from board_tests.closed_loop.station_loop import StationLoop
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.errors import ConflictError
 from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.simulation import SimulationOptions
@@ -20,7 +21,7 @@ from epf_gcs.xplane.datagram import Record, build, parse
 CALM = SimulationOptions()
 ROUGH = Situation(wind=Wind(330.0, 20.0), turbulence=Turbulence.SEVERE)
 RUNWAY = Situation(start=Start.RUNWAY)
-OTHER = {"xp10": "xp12", "xp12": "xp10"}
+OTHER: dict[SimulatorProfile, SimulatorProfile] = {"xp10": "xp12", "xp12": "xp10"}
 BOTH = pytest.mark.parametrize("sent", ["xp10", "xp12"])
 
 
@@ -41,7 +42,7 @@ def largest_bank_deg(states: list[FlightState]) -> float:
     ],
 )
 def test_on_the_wrong_profile_the_surfaces_are_taken_from_the_board_before_the_aircraft_banks_20_deg(
-    sent: str, options: SimulationOptions
+    sent: SimulatorProfile, options: SimulationOptions
 ) -> None:
     with StationLoop(replace(options, profile=sent), OTHER[sent]) as loop:
         loop.assist("gando")
@@ -56,7 +57,9 @@ def test_on_the_wrong_profile_the_surfaces_are_taken_from_the_board_before_the_a
 
 
 @BOTH
-def test_on_the_wrong_profile_the_board_is_refused_after_a_few_seconds_of_flight_by_hand(sent: str) -> None:
+def test_on_the_wrong_profile_the_board_is_refused_after_a_few_seconds_by_hand(
+    sent: SimulatorProfile,
+) -> None:
     with StationLoop(replace(CALM, profile=sent), OTHER[sent]) as loop:
         loop.fly(5.0)
         assert loop.active == {"profile_wrong"}
@@ -65,7 +68,7 @@ def test_on_the_wrong_profile_the_board_is_refused_after_a_few_seconds_of_flight
 
 
 @BOTH
-def test_once_the_right_profile_is_chosen_the_board_flies_on(sent: str) -> None:
+def test_once_the_right_profile_is_chosen_the_board_flies_on(sent: SimulatorProfile) -> None:
     with StationLoop(replace(CALM, profile=sent), OTHER[sent]) as loop:
         loop.assist("gando")
         loop.fly(20.0, lambda _: loop.hil.path == "manual")
@@ -78,7 +81,7 @@ def test_once_the_right_profile_is_chosen_the_board_flies_on(sent: str) -> None:
 
 
 @BOTH
-def test_parked_on_the_runway_nothing_is_known_and_nothing_is_refused(sent: str) -> None:
+def test_parked_on_the_runway_nothing_is_known_and_nothing_is_refused(sent: SimulatorProfile) -> None:
     with StationLoop(replace(CALM, profile=sent, situation=RUNWAY, throttle=0.0), OTHER[sent]) as loop:
         loop.fly(3.0)
         loop.hil.begin(loop.hil.link, OTHER[sent])
@@ -110,7 +113,7 @@ def test_parked_on_the_runway_nothing_is_known_and_nothing_is_refused(sent: str)
     ],
 )
 def test_with_the_right_profile_a_whole_flight_raises_no_alarm(route: str, options: SimulationOptions) -> None:
-    with StationLoop(options, options.profile) as loop:
+    with StationLoop(options, "xp10") as loop:
         loop.assist(route)
         loop.fly(250.0)
         assert loop.alarms == []

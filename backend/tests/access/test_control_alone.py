@@ -11,6 +11,8 @@ from epf_gcs.access.caller import LOCAL, Caller
 from epf_gcs.access.changes import Page
 from epf_gcs.access.control import Control
 from epf_gcs.access.roles import Role
+from epf_gcs.contract.hello import ControlHolder
+from epf_gcs.contract.notices import ControlChanged, Notice, StickReleased
 from epf_gcs.errors import GatewayError
 from epf_gcs.xplane.datagram import Surfaces
 from tests.support.held import UNIX_S, HeldClock
@@ -44,7 +46,7 @@ class Desk:
     def __init__(self) -> None:
         self.clock = HeldClock(100.0)
         self.loop = HeldLoop()
-        self.notices: list[dict[str, Any]] = []
+        self.notices: list[Notice] = []
         self.events: list[tuple[str, dict[str, Any]]] = []
         self.control = Control(self.loop, self.clock, self, by_silence=True)  # type: ignore[arg-type]
         self.lines: dict[str, Line] = {}
@@ -52,8 +54,8 @@ class Desk:
     def event(self, kind: str, data: dict[str, Any]) -> None:
         self.events.append((kind, data))
 
-    def notice(self, name: str, /, **arguments: Any) -> None:
-        self.notices.append({**arguments, "notice": name})
+    def notice(self, notice: Notice) -> None:
+        self.notices.append(notice)
 
     def changed(self) -> None:
         """Nobody shows it."""
@@ -64,12 +66,13 @@ class Desk:
 
     def told(self) -> list[tuple[object, ...]]:
         """What the flight was told since the last look."""
-        told: list[tuple[object, ...]] = [
-            (one["notice"], one["client"], one.get("kept"))
-            if one["notice"] == "control"
-            else (one["notice"], one["client"])
-            for one in self.notices
-        ]
+        told: list[tuple[object, ...]] = []
+        for one in self.notices:
+            match one:
+                case ControlChanged():
+                    told.append(("control", one.client, one.kept))
+                case StickReleased():
+                    told.append(("stick_gone", one.client))
         self.notices.clear()
         return told
 
@@ -97,15 +100,17 @@ def test_the_flight_knows_whose_hand_counts_and_for_whom_it_is_kept_meanwhile(de
     desk.control.stick(page, MIDDLE)
     desk.control.disconnect("a", desk.lines["a"])
     assert desk.told() == [("control", "a", True), ("stick_gone", "a"), ("stick_gone", "a")]
-    reserved = desk.control.state()["reserved"]
-    assert (reserved["client"], reserved["until_s"]) == ("a", pytest.approx(UNIX_S + 100.0 + KEPT_S))
+    reserved = desk.control.state().reserved
+    assert reserved is not None
+    assert reserved.client == "a"
+    assert reserved.until_s == pytest.approx(UNIX_S + 100.0 + KEPT_S)
     desk.clock.time_s += 1.0
     desk.open("a", ANA)
     assert desk.told() == [("control", "a", False), ("stick_gone", "a")]
-    assert desk.control.state()["since_s"] == pytest.approx(UNIX_S + 101.0)
+    assert desk.control.state().since_s == pytest.approx(UNIX_S + 101.0)
     desk.control.act("release", "a", "", confirmed=False)
-    assert desk.told() == [("control", None, None)]
-    assert desk.control.state()["since_s"] is None
+    assert desk.told() == [("control", None, False)]
+    assert desk.control.state().since_s is None
 
 
 def test_to_the_flight_a_pilot_that_is_put_out_is_a_radio_that_fell_silent_for_a_while(desk: Desk) -> None:
@@ -120,7 +125,7 @@ def test_to_the_flight_a_pilot_that_is_put_out_is_a_radio_that_fell_silent_for_a
     (timer,) = desk.loop.timers[before:]
     assert timer.due_s == KEPT_S
     timer.call()
-    assert desk.told() == [("control", None, None)]
+    assert desk.told() == [("control", None, False)]
 
 
 def test_a_hand_at_rest_trembles_and_one_that_creeps_moves(desk: Desk) -> None:
@@ -131,8 +136,9 @@ def test_a_hand_at_rest_trembles_and_one_that_creeps_moves(desk: Desk) -> None:
     def given_s(elevator: float, throttle: float = 0.5) -> float:
         desk.clock.time_s += 1.0
         assert desk.control.stick(holder, Surfaces(elevator, 0.0, 0.0, throttle))
-        (request,) = desk.control.state()["requests"]
-        return float(request["given_at_s"]) - UNIX_S - UNANSWERED_S
+        (request,) = desk.control.state().requests
+        assert request.given_at_s is not None
+        return request.given_at_s - UNIX_S - UNANSWERED_S
 
     assert given_s(0.0) == pytest.approx(101.0), "the first sample is one of somebody"
     for tremble in (0.02, -0.02, 0.01, 0.0):
@@ -153,8 +159,8 @@ def test_a_hand_that_has_just_got_control_moves_with_its_first_sample(desk: Desk
     desk.control.act("ask", "a", "", confirmed=False)
     desk.clock.time_s += 3.0
     assert desk.control.stick(bea, MIDDLE)
-    (request,) = desk.control.state()["requests"]
-    assert request["given_at_s"] == pytest.approx(UNIX_S + 103.0 + UNANSWERED_S)
+    (request,) = desk.control.state().requests
+    assert request.given_at_s == pytest.approx(UNIX_S + 103.0 + UNANSWERED_S)
 
 
 def test_an_id_comes_back_to_its_own_session_where_its_stream_is_gone_or_silent(desk: Desk) -> None:
@@ -234,13 +240,13 @@ def test_a_new_name_is_on_all_pages_of_the_session_with_their_numbers(desk: Desk
 def test_who_had_control_before_a_restart_has_its_id_and_control_again_and_only_it() -> None:
     desk = Desk()
     about = {"session": ANA.session, "kind": "person", "number": 1}
-    desk.control.restore({"client": "a", "name": "Ana", "about": about})
-    desk.control.restore({"client": "b", "name": "Bea", "about": {"session": BEA.session}})
+    desk.control.restore(ControlHolder("a", "Ana", about))
+    desk.control.restore(ControlHolder("b", "Bea", {"session": BEA.session}))
     assert desk.control.client_for("a", BEA) != "a"
     desk.open("b", BEA)
-    assert desk.control.state()["client"] is None
+    assert desk.control.state().client is None
     desk.open("a", ANA)
-    assert desk.control.state()["client"] == "a"
+    assert desk.control.state().client == "a"
 
 
 def test_a_command_names_who_gave_it_and_only_the_holder_gives_one(desk: Desk) -> None:

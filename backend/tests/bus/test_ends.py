@@ -17,25 +17,34 @@ from epf_gcs.bus.address import FILE, Listener, connect
 from epf_gcs.bus.definition import Asker, Kind, Named, pack
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
+from epf_gcs.contract.answers import AircraftName
+from epf_gcs.contract.hello import Hello
+from epf_gcs.contract.notices import Notice, Pace, StickReleased
+from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.requests import LoadParameters, NameAircraft, ReadHil, ReadPlan, ReadPorts
+from epf_gcs.contract.status import HilState, Status
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, UnavailableError
+from tests.support.contract import a_playback
 from tests.support.waiting import DEADLINE_S, eventually_async
+
+HELLO = Hello("1", "live", Status())
 
 
 class Heard:
     """Keeps what a vehicle said."""
 
     def __init__(self) -> None:
-        self.hellos: list[dict[str, Any]] = []
+        self.hellos: list[Hello] = []
         self.samples: list[Named] = []
         self.ends = 0
         self.events: list[Named] = []
-        self.statuses: list[dict[str, Any]] = []
+        self.statuses: list[Status] = []
         self.losses: list[bool] = []
         self.silences: list[bool] = []
-        self.playbacks: list[dict[str, Any]] = []
+        self.playbacks: list[Playback] = []
         self.order: list[str] = []
 
-    def on_hello(self, hello: dict[str, Any]) -> None:
+    def on_hello(self, hello: Hello) -> None:
         self.hellos.append(hello)
 
     def on_sample(self, sample: Named) -> None:
@@ -48,10 +57,10 @@ class Heard:
     def on_event(self, event: Named) -> None:
         self.events.append(event)
 
-    def on_status(self, status: dict[str, Any]) -> None:
+    def on_status(self, status: Status) -> None:
         self.statuses.append(status)
 
-    def on_playback(self, playback: dict[str, Any]) -> None:
+    def on_playback(self, playback: Playback) -> None:
         self.playbacks.append(playback)
         self.order.append("playback")
 
@@ -68,15 +77,15 @@ class Vehicle:
     def __init__(self, folder: Path) -> None:
         self.listener = Listener(folder)
         self.broadcast = Broadcast(lambda: 5.0)
-        self.notices: list[tuple[str, dict[str, Any]]] = []
+        self.notices: list[Notice] = []
         self.gone = 0
         self.released = asyncio.Event()
         self.end = VehicleEnd(
             self.broadcast,
-            hello=lambda: {"version": "1"},
+            hello=lambda: HELLO,
             samples=lambda: [("ahrs", 1.0, {"roll_deg": 1.0})],
-            requests={"echo": self._echo, "refuse": self._refuse, "break": self._break, "hang": self._hang},
-            on_notice=lambda name, arguments: self.notices.append((name, arguments)),
+            requests={NameAircraft: self._echo, ReadPlan: self._refuse, ReadPorts: self._break, ReadHil: self._hang},
+            on_notice=lambda notice: self.notices.append(notice),  # noqa: PLW0108 (a test takes the list away)
             on_gone=self._gone,
         )
         self.task = asyncio.ensure_future(self.end.run(self.listener))
@@ -89,18 +98,18 @@ class Vehicle:
     def _gone(self) -> None:
         self.gone += 1
 
-    async def _echo(self, by: Asker, arguments: dict[str, Any]) -> Any:
-        return {"by": by.name, **arguments}
+    async def _echo(self, request: NameAircraft, by: Asker) -> AircraftName:
+        return AircraftName(f"{request.name} by {by.name}")
 
-    async def _refuse(self, _: Asker, __: dict[str, Any]) -> Any:
+    async def _refuse(self, _: ReadPlan, __: Asker) -> Any:
         raise InvalidInputError("mission_invalid", "No.", plan="hil")
 
-    async def _break(self, _: Asker, __: dict[str, Any]) -> Any:
+    async def _break(self, _: ReadPorts, __: Asker) -> Any:
         raise ZeroDivisionError
 
-    async def _hang(self, _: Asker, __: dict[str, Any]) -> Any:
+    async def _hang(self, _: ReadHil, __: Asker) -> HilState:
         await self.released.wait()
-        return "late"
+        return HilState()
 
 
 @asynccontextmanager
@@ -119,11 +128,11 @@ async def test_a_station_hears_how_everything_stands_and_then_what_happens(tmp_p
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard):
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        assert (heard.hellos, [sample.name for sample in heard.samples]) == ([{"version": "1"}], ["ahrs"])
+        assert (heard.hellos, [sample.name for sample in heard.samples]) == ([HELLO], ["ahrs"])
         vehicle.broadcast.sample("gps", 2.0, {"latitude_deg": None})
         assert len(heard.samples) == 1
         vehicle.broadcast.event("alarm", {"id": "x"})
-        vehicle.broadcast.status({"board": {}})
+        vehicle.broadcast.status(Status())
         await eventually_async(lambda: len(heard.statuses) == 1, "all arrives")
         assert heard.samples[1].name == "gps", "an event does not overtake the samples before it"
         assert orjson.loads(heard.events[0].text) == {
@@ -141,29 +150,29 @@ async def test_samples_are_gathered_for_a_station_that_looks_seldom_and_none_is_
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        station.pace(1)
+        station.notice(Pace(1))
         await eventually_async(lambda: vehicle.broadcast.gathers, "the vehicle knows the pace")
         for number in range(9):
             vehicle.broadcast.sample("gps", float(number), {"n": number})
             vehicle.broadcast.flush()
-        vehicle.broadcast.status({"first": True})
+        vehicle.broadcast.status(Status())
         await eventually_async(lambda: bool(heard.statuses), "the status arrives")
         assert [sample.t_s for sample in heard.samples[1:]] == [float(number) for number in range(9)]
         # One group at once, the other just before the status: neither one for each sample, nor after the status.
         assert heard.ends <= 3
         vehicle.broadcast.sample("gps", 9.0, {"n": 9})
         vehicle.broadcast.flush()
-        await station.request("echo")
+        await station.ask(NameAircraft())
         assert heard.samples[-1].t_s == 9.0, "an answer does not overtake the samples before it"
         vehicle.broadcast.sample("gps", 10.0, {"n": 10})
         vehicle.broadcast.flush()
-        vehicle.broadcast.playback({"at_s": 1.0})
+        vehicle.broadcast.playback(a_playback())
         await eventually_async(lambda: bool(heard.playbacks), "the replay's position arrives")
         assert heard.samples[-1].t_s == 10.0, "nor does a replay's position"
         assert heard.order[-2:] == ["end of samples", "playback"], "the samples leave before it"
         vehicle.broadcast.sample("gps", 11.0, {"n": 11})
         vehicle.broadcast.flush()
-        station.pace(0)
+        station.notice(Pace(0))
         await eventually_async(lambda: heard.samples[-1].t_s == 11.0, "what was gathered is sent when the pace changes")
         assert not vehicle.broadcast.gathers
     await vehicle.stop()
@@ -183,14 +192,14 @@ async def test_frames_wait_for_the_samples_that_leave_next_and_nothing_overtakes
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
         assert not vehicle.broadcast.later(decode), "each is wanted at once"
-        station.pace(1)
+        station.notice(Pace(1))
         await eventually_async(lambda: vehicle.broadcast.gathers, "the vehicle knows the pace")
         assert not vehicle.broadcast.later(decode), "it is time for samples"
         decode()
         assert vehicle.broadcast.later(decode)
         assert vehicle.broadcast.later(decode)
         assert decoded == [0.0]
-        vehicle.broadcast.status({"first": True})
+        vehicle.broadcast.status(Status())
         await eventually_async(lambda: bool(heard.statuses), "the status arrives")
         assert [sample.t_s for sample in heard.samples[1:]] == [0.0, 1.0]
         assert vehicle.broadcast.later(decode)
@@ -204,13 +213,13 @@ async def test_one_station_that_wants_each_sample_at_once_is_enough(tmp_path: Pa
     vehicle, seldom, always = Vehicle(tmp_path), Heard(), Heard()
     async with connected(tmp_path, seldom) as station:
         await eventually_async(lambda: seldom.ends == 1, "it is connected")
-        station.pace(1)
+        station.notice(Pace(1))
         await eventually_async(lambda: vehicle.broadcast.gathers, "its pace is known")
         async with connected(tmp_path, always):
             await eventually_async(lambda: always.ends == 1, "the other is connected")
             assert not vehicle.broadcast.gathers
         await eventually_async(lambda: vehicle.broadcast.gathers, "the other has gone")
-    assert not [name for name, _ in vehicle.notices if name == "pace"], "the pace is the stream's own matter"
+    assert vehicle.notices == [], "the pace is the stream's own matter"
     await vehicle.stop()
 
 
@@ -219,16 +228,16 @@ async def test_a_request_brings_the_result_or_the_very_error(tmp_path: Path) -> 
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: station.is_connected, "it connects")
-        assert await station.request("echo", Asker("c1", "tablet"), n=3) == {"by": "tablet", "n": 3}
+        assert await station.ask(NameAircraft("3"), Asker("c1", "tablet")) == AircraftName("3 by tablet")
         with pytest.raises(InvalidInputError) as refused:
-            await station.request("refuse")
+            await station.ask(ReadPlan("hil"))
         assert (refused.value.code, refused.value.params) == ("mission_invalid", {"plan": "hil"})
-        for name in ("break", "nothing of the kind"):
+        for request in (ReadPorts(), LoadParameters()):
             with pytest.raises(GatewayError) as failed:
-                await station.request(name)
+                await station.ask(request)
             assert failed.value.code == "internal"
-        station.notice("stick", client="c1")
-        await eventually_async(lambda: vehicle.notices == [("stick", {"client": "c1"})], "the notice arrives")
+        station.notice(StickReleased("c1"))
+        await eventually_async(lambda: vehicle.notices == [StickReleased("c1")], "the notice arrives")
     await vehicle.stop()
 
 
@@ -239,13 +248,13 @@ async def test_an_answer_for_which_nobody_waits_any_more_is_ignored(tmp_path: Pa
     asyncio.get_running_loop().set_exception_handler(lambda _, context: faults.append(context))
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: station.is_connected, "it connects")
-        asked = asyncio.ensure_future(station.request("hang"))
-        assert await station.request("echo") == {"by": None}, "the other is asked too"
+        asked = asyncio.ensure_future(station.ask(ReadHil()))
+        assert await station.ask(NameAircraft()) == AircraftName("None by None"), "the other is asked too"
         asked.cancel()
         await asyncio.wait([asked])
         vehicle.released.set()
-        assert await station.request("echo", n=2) == {"by": None, "n": 2}
-        assert await station.request("echo", n=3) == {"by": None, "n": 3}
+        assert await station.ask(NameAircraft("2")) == AircraftName("2 by None")
+        assert await station.ask(NameAircraft("3")) == AircraftName("3 by None")
     assert faults == []
     await vehicle.stop()
 
@@ -255,7 +264,7 @@ async def test_a_vehicle_that_goes_ends_every_request_and_is_found_again(tmp_pat
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: station.is_connected, "it connects")
-        hanging = asyncio.ensure_future(station.request("hang"))
+        hanging = asyncio.ensure_future(station.ask(ReadHil()))
         await asyncio.sleep(0)
         await vehicle.stop()
         with pytest.raises(ConflictError) as away:
@@ -263,10 +272,10 @@ async def test_a_vehicle_that_goes_ends_every_request_and_is_found_again(tmp_pat
         assert away.value.code == "flight_away"
         assert heard.losses == [True], "it said goodbye"
         with pytest.raises(ConflictError):
-            await station.request("echo")
+            await station.ask(NameAircraft())
         again = Vehicle(tmp_path)
         await eventually_async(lambda: len(heard.hellos) == 2, "it is found again")
-        assert await station.request("echo") == {"by": None}
+        assert await station.ask(NameAircraft()) == AircraftName("None by None")
     await again.stop()
 
 
@@ -284,20 +293,20 @@ async def test_a_vehicle_that_hangs_is_noticed_and_whoever_waits_for_it_is_told_
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard, silent_after_s=1000.0) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        waiting = asyncio.ensure_future(station.request("hang"))
+        waiting = asyncio.ensure_future(station.ask(ReadHil()))
         await asyncio.sleep(0)
         let_pass(station, 0.0, 990.0)
         assert heard.silences == []
         let_pass(station, 990.0, 1002.0)
         assert heard.silences == [True]
         let_pass(station, 1002.0, 4010.0)
-        for asked in (waiting, station.request("echo")):
+        for asked in (waiting, station.ask(NameAircraft())):
             with pytest.raises(UnavailableError):
                 await asked
         vehicle.broadcast.event("alarm", {"id": "x"})
         await eventually_async(lambda: len(heard.events) == 1, "it is heard")
         assert heard.silences == [True, False]
-        assert await station.request("echo") == {"by": None}
+        assert await station.ask(NameAircraft()) == AircraftName("None by None")
     await vehicle.stop()
 
 
@@ -306,14 +315,14 @@ async def test_a_short_silence_fails_nothing_that_was_asked_and_no_read_but_take
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard, silent_after_s=1000.0) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        waiting = asyncio.ensure_future(station.request("hang", Asker("c1", "Ana")))
+        waiting = asyncio.ensure_future(station.ask(ReadHil(), Asker("c1", "Ana")))
         await asyncio.sleep(0)
         let_pass(station, 0.0, 1002.0)
         assert heard.silences == [True]
         with pytest.raises(UnavailableError):
-            await station.request("echo", Asker("c1", "Ana"))
+            await station.ask(NameAircraft(), Asker("c1", "Ana"))
         assert not waiting.done()
-        assert await station.request("echo") == {"by": None}
+        assert await station.ask(NameAircraft()) == AircraftName("None by None")
         vehicle.released.set()
         await waiting
     await vehicle.stop()
@@ -326,7 +335,7 @@ async def test_a_stall_of_this_process_is_no_silence_of_the_vehicle(tmp_path: Pa
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
         station.look(asyncio.get_running_loop().time() + 2000.0)
         assert heard.silences == []
-        assert await station.request("echo") == {"by": None}
+        assert await station.ask(NameAircraft()) == AircraftName("None by None")
     await vehicle.stop()
 
 
@@ -341,7 +350,7 @@ async def test_whoever_does_not_speak_the_stream_is_let_go_and_harms_nobody(tmp_
         while await loop.sock_recv(stranger, 65536):
             pass
         stranger.close()
-        assert await station.request("echo", n=1) == {"by": None, "n": 1}
+        assert await station.ask(NameAircraft("1")) == AircraftName("1 by None")
     await vehicle.stop()
 
 
@@ -396,7 +405,7 @@ async def test_samples_go_on_at_the_pace_of_the_one_who_looks(tmp_path: Path) ->
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        station.pace(50)
+        station.notice(Pace(50))
         await eventually_async(lambda: vehicle.broadcast.gathers, "the vehicle knows the pace")
         for number in range(5):
             vehicle.broadcast.sample("gps", float(number), {"n": number})
@@ -410,10 +419,10 @@ async def test_samples_go_on_at_the_pace_of_the_one_who_looks(tmp_path: Path) ->
 async def test_a_record_of_a_kind_that_a_later_version_has_is_passed_over(tmp_path: Path) -> None:
     vehicle = Vehicle(tmp_path)
     newer = await connect(tmp_path)
-    notice = orjson.dumps({"name": "stick", "arguments": {"client": "c1"}})
+    notice = orjson.dumps({"name": "StickReleased", "arguments": {"client": "c1"}})
     later_kind: Any = 99
     await asyncio.get_running_loop().sock_sendall(newer, pack(later_kind, b"") + pack(Kind.NOTICE, notice))
-    await eventually_async(lambda: vehicle.notices == [("stick", {"client": "c1"})], "what follows it is heard")
+    await eventually_async(lambda: vehicle.notices == [StickReleased("c1")], "what follows it is heard")
     assert vehicle.gone == 0
     newer.close()
     await vehicle.stop()
@@ -431,7 +440,7 @@ async def test_through_a_port_a_station_that_read_the_secret_in_the_folder_is_he
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        assert await station.request("echo", n=1) == {"by": None, "n": 1}
+        assert await station.ask(NameAircraft("1")) == AircraftName("1 by None")
     await vehicle.stop()
 
 
@@ -490,7 +499,7 @@ async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Pat
         for topic in ("gps", "ahrs"):
             vehicle.broadcast.sample(topic, 2.0, {})
         async with asyncio.timeout(DEADLINE_S):
-            assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
+            assert await station.ask(NameAircraft("1")) == AircraftName("1 by None")
         assert [sample.name for sample in heard.samples] == ["ahrs", "gps", "ahrs"]
     await vehicle.stop()
 
@@ -501,9 +510,9 @@ async def test_a_request_behind_a_notice_that_fails_is_answered(tmp_path: Path) 
     vehicle.notices = None  # type: ignore[assignment]
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        station.notice("stick", roll=1.0)
+        station.notice(StickReleased("c1"))
         async with asyncio.timeout(DEADLINE_S):
-            assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
+            assert await station.ask(NameAircraft("1")) == AircraftName("1 by None")
     await vehicle.stop()
 
 
@@ -514,12 +523,12 @@ async def test_more_requests_than_a_vehicle_can_have_under_way_are_refused_at_on
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: station.is_connected, "it connects")
-        hanging = [asyncio.ensure_future(station.request("hang")) for _ in range(256)]
+        hanging = [asyncio.ensure_future(station.ask(ReadHil())) for _ in range(256)]
         await asyncio.sleep(0)
         with pytest.raises(GatewayError, match="Too much") as busy:
-            await station.request("echo")
+            await station.ask(NameAircraft())
         assert busy.value.code == "internal"
         vehicle.released.set()
-        assert await asyncio.gather(*hanging) == ["late"] * 256
-        assert await station.request("echo", n=1) == {"by": None, "n": 1}
+        assert await asyncio.gather(*hanging) == [HilState()] * 256
+        assert await station.ask(NameAircraft("1")) == AircraftName("1 by None")
     await vehicle.stop()

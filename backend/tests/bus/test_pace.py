@@ -9,6 +9,8 @@ import pytest
 
 from epf_gcs.bus.definition import Decoder, Kind
 from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.contract.status import Status
+from tests.support.contract import a_playback
 from tests.support.held_loop import HeldLoop
 
 
@@ -87,8 +89,8 @@ def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: H
     broadcast.flush()
     tells: tuple[Callable[[], None], ...] = (
         lambda: broadcast.event("alarm", {}),
-        lambda: broadcast.status({}),
-        lambda: broadcast.playback({}),
+        lambda: broadcast.status(Status()),
+        lambda: broadcast.playback(a_playback()),
     )
     for tell in tells:
         sent.clear()
@@ -107,7 +109,7 @@ def test_a_playback_with_samples_goes_out_in_its_place_among_them() -> None:
     sent: list[bytes] = []
     broadcast.add(_Listener(sent.append))  # type: ignore[arg-type]
     broadcast.sample("gps", 1.0, {})
-    broadcast.playback({"jumps": 1}, with_samples=True)
+    broadcast.playback(a_playback(jumps=1), with_samples=True)
     broadcast.sample("gps", 2.0, {})
     assert sent == []
     broadcast.flush()
@@ -118,7 +120,7 @@ def test_a_playback_with_samples_goes_out_in_its_place_among_them() -> None:
 def test_without_listeners_nothing_is_kept_for_one_who_comes_later() -> None:
     broadcast = Broadcast(lambda: 5.0)
     broadcast.sample("gps", 1.0, {})
-    broadcast.playback({}, with_samples=True)
+    broadcast.playback(a_playback(), with_samples=True)
     sent: list[bytes] = []
     listener = _Listener(sent.append)
     broadcast.add(listener)  # type: ignore[arg-type]

@@ -14,6 +14,7 @@ from epf_gcs import __version__
 from epf_gcs.bus.channel import Channel
 from epf_gcs.bus.definition import Client, Decoder, Kind, unpack_named
 from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.restart import Restart
@@ -106,13 +107,13 @@ async def test_bytes_of_the_board_may_wait_while_neither_a_simulator_nor_a_stati
 async def test_a_station_is_greeted_with_whose_controls_they_are_or_were_until_just_now(tmp_path: Path) -> None:
     flight = Flight(tmp_path, record=False)
     hello = flight._hello()
-    assert (hello["version"], hello["vehicle"], hello["control"]) == (__version__, "live", None)
-    assert hello["clock_offset_ns"] == flight.clock.offset_ns
-    assert hello["status"]["board"]["state"] == "closed"
+    assert (hello.version, hello.vehicle, hello.control) == (__version__, "live", None)
+    assert hello.clock_offset_ns == flight.clock.offset_ns
+    assert hello.status.board.state == "closed"
     ana = Client("c1", "Ana", {"address": "192.0.2.7"})
     for holder, kept in ((ana, None), (None, ana)):
         flight.stick.control_changed(holder, kept)
-        assert flight._hello()["control"] == {"client": "c1", "name": "Ana", "about": {"address": "192.0.2.7"}}
+        assert flight._hello().control == ControlHolder("c1", "Ana", {"address": "192.0.2.7"})
 
 
 async def test_a_board_that_moves_the_surfaces_of_a_simulator_flies(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 from collections.abc import AsyncIterator, Mapping
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +15,20 @@ from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
+from epf_gcs.contract.answers import DiskPolicy
+from epf_gcs.contract.notices import Pace, StickMoved
+from epf_gcs.contract.requests import (
+    AnswerT_co,
+    LoadParameters,
+    ReadHil,
+    Request,
+    RunCommand,
+    SendLine,
+    SetHil,
+    SetMark,
+)
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.recording.recorder import DiskPolicy
 from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.recording import policy_of
 from epf_gcs.recordings.notes import EVENT, IDENTITY, MARK, Note
@@ -55,8 +67,9 @@ class Asked:
         self.line = Line()
         self.told: list[tuple[str, Mapping[str, Any]]] = []
 
-    async def __call__(self, request: str, /, **arguments: Any) -> Any:
-        return await self.flight._requests[request](ANA, arguments)
+    async def __call__(self, request: Request[AnswerT_co]) -> AnswerT_co:
+        answer: AnswerT_co = await self.flight._requests[type(request)](request, ANA)
+        return answer
 
     def attach(self, *, is_emulated: bool = False) -> None:
         board = self.flight.board
@@ -95,8 +108,8 @@ async def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> AsyncIterato
 
 async def test_the_path_is_kept_noted_and_told_at_once(asked: Asked, tmp_path: Path) -> None:
     asked.records()
-    answer = await asked("hil.set", path="assisted")
-    assert (answer["path"], answer["source"]) == ("assisted", None)
+    answer = await asked(SetHil(path="assisted"))
+    assert (answer.path, answer.source) == ("assisted", None)
     assert asked.flight._sending.is_armed
     asked.flight.memory.close()
     again = Flight(tmp_path)
@@ -122,28 +135,28 @@ async def test_on_the_wrong_profile_the_board_gets_neither_the_surfaces_nor_its_
 ) -> None:
     asked.attach()
     turn(asked.flight, "xp12")
-    for request, arguments in (
-        ("hil.set", {"path": "assisted"}),
-        ("hil.set", {"path": "assisted", "source": "joystick"}),
-        ("command", {"name": "autopilot_on", "arguments": []}),
+    for request in (
+        SetHil(path="assisted"),
+        SetHil(path="assisted", source="joystick"),
+        RunCommand("autopilot_on", []),
     ):
         with pytest.raises(ConflictError, match="choose the profile X-Plane 12 in the simulator's link") as refused:
-            await asked(request, **arguments)
+            await asked(request)
         assert refused.value.code == "profile_wrong"
         assert refused.value.params == {"profile": "X-Plane 10 / 11", "fits": "X-Plane 12"}
     assert asked.flight.hil.path == "manual"
-    assert (await asked("hil.set", path="manual"))["path"] == "manual"
+    assert (await asked(SetHil(path="manual"))).path == "manual"
 
 
 async def test_the_board_loses_the_surfaces_that_it_has_when_the_profile_proves_wrong(
     asked: Asked, tmp_path: Path
 ) -> None:
-    await asked("hil.set", path="assisted")
+    await asked(SetHil(path="assisted"))
     turn(asked.flight, "xp10")
-    assert (await asked("hil.read"))["path"] == "assisted"
+    assert (await asked(ReadHil())).path == "assisted"
     asked.flight.hil.begin(None, "xp12")
     turn(asked.flight, "xp10")
-    assert (await asked("hil.read"))["path"] == "manual"
+    assert (await asked(ReadHil())).path == "manual"
     assert asked.flight._sending.is_armed
     errors = [data for kind, data in asked.told if kind == "error"]
     assert [error["code"] for error in errors] == ["profile_took_surfaces"]
@@ -155,13 +168,14 @@ async def test_the_board_loses_the_surfaces_that_it_has_when_the_profile_proves_
 
 async def test_during_the_emulation_nothing_of_the_loop_can_be_set_but_the_simulators_stick(asked: Asked) -> None:
     asked.attach(is_emulated=True)
-    for wanted in ({"stick": "gamepad"}, {"path": "assisted"}, {"source": "joystick"}, {}):
+    for wish in (SetHil(stick="gamepad"), SetHil(path="assisted"), SetHil(source="joystick"), SetHil()):
         with pytest.raises(ConflictError, match="emulation"):
-            await asked("hil.set", **wanted)
+            await asked(wish)
+        both = replace(wish, path=wish.path or "manual", stick=wish.stick or "simulator")
         with pytest.raises(ConflictError, match="emulation"):
-            await asked("hil.set", **({"path": "manual", "stick": "simulator"} | wanted))
+            await asked(both)
     assert (asked.flight.hil.path, asked.line.written) == ("manual", [])
-    assert (await asked("hil.set", stick="simulator"))["stick"]["source"] == "simulator"
+    assert (await asked(SetHil(stick="simulator"))).stick.source == "simulator"
 
 
 async def test_the_gamepad_is_chosen_for_who_asks_and_the_simulators_stick_by_anybody(
@@ -171,28 +185,26 @@ async def test_the_gamepad_is_chosen_for_who_asks_and_the_simulators_stick_by_an
     monkeypatch.setattr(type(flight.clock), "steady_s", lambda _: 100.0)
     flight.stick.control_changed(Client("ana", "Ana"))
     flight.stick.take("ana", {**HAND, "t_ms": 100_000.0})
-    for gamepad, shown in (("Test Pad", "Test Pad"), (None, "")):
-        answer = await asked("hil.set", stick="gamepad", gamepad=gamepad)
-        assert (answer["stick"]["client"], answer["stick"]["gamepad"]) == ("ana", shown)
-    assert (await asked("hil.read"))["stick"]["source"] == "gamepad"
-    answer = await flight._requests["hil.set"](Asker(), {"stick": "simulator"})
-    assert answer["stick"]["source"] == "simulator"
+    for gamepad in ("Test Pad", ""):
+        answer = await asked(SetHil(stick="gamepad", gamepad=gamepad))
+        assert (answer.stick.client, answer.stick.gamepad) == ("ana", gamepad)
+    assert (await asked(ReadHil())).stick.source == "gamepad"
+    answer = await flight._requests[SetHil](SetHil(stick="simulator"), Asker())
+    assert answer.stick.source == "simulator"
 
 
 @pytest.mark.parametrize(
-    ("request_name", "arguments", "command"),
+    ("wish", "command"),
     [
-        ("hil.set", {"source": "joystick"}, "control_source"),
-        ("command", {"name": "gps_on", "arguments": []}, "gps_on"),
-        ("command", {"name": "set_k_pitch", "arguments": [2.5]}, "set_k_pitch"),
-        ("parameters.load", {}, "load_autopilot_parameters"),
+        (SetHil(source="joystick"), "control_source"),
+        (RunCommand("gps_on", []), "gps_on"),
+        (RunCommand("set_k_pitch", [2.5]), "set_k_pitch"),
+        (LoadParameters(), "load_autopilot_parameters"),
     ],
 )
-async def test_whoever_asks_is_told_as_the_one_who_commanded(
-    asked: Asked, request_name: str, arguments: dict[str, Any], command: str
-) -> None:
+async def test_whoever_asks_is_told_as_the_one_who_commanded(asked: Asked, wish: Request[Any], command: str) -> None:
     asked.attach()
-    asking = asyncio.create_task(asked(request_name, **arguments))
+    asking = asyncio.create_task(asked(wish))
     await eventually_async(lambda: "command" in [kind for kind, _ in asked.told], "it is told")
     (told,) = [data for kind, data in asked.told if kind == "command"]
     assert (told["name"], told["client"], told["state"]) == (command, "ana", "pending")
@@ -202,13 +214,13 @@ async def test_whoever_asks_is_told_as_the_one_who_commanded(
 
 async def test_a_line_of_the_console_goes_out_as_it_is_and_all_are_told_who_sent_it(asked: Asked) -> None:
     with pytest.raises(ConflictError, match="no board is connected"):
-        await asked("console", text="help")
+        await asked(SendLine(text="help"))
     asked.attach()
-    await asked("console", text="help")
+    await asked(SendLine(text="help"))
     assert asked.line.written == [b"help\n"]
     asked.line.is_full = True
     with pytest.raises(ConflictError):
-        await asked("console", text="lost")
+        await asked(SendLine(text="lost"))
     sent = [data for kind, data in asked.told if kind == "console"]
     assert sent == [{"direction": "sent", "text": "help", "client": "ana"}], "what did not leave is not told as sent"
 
@@ -216,25 +228,25 @@ async def test_a_line_of_the_console_goes_out_as_it_is_and_all_are_told_who_sent
 async def test_an_emulated_board_takes_no_line_of_the_console(asked: Asked) -> None:
     asked.attach(is_emulated=True)
     with pytest.raises(ConflictError, match="emulation"):
-        await asked("console", text="help")
+        await asked(SendLine(text="help"))
     assert (asked.line.written, [kind for kind, _ in asked.told if kind == "console"]) == ([], [])
 
 
 async def test_a_mark_is_set_as_long_ago_as_was_said_and_told_as_it_was_answered(asked: Asked) -> None:
     asked.records()
     now_s = asked.flight.clock.now_s()
-    made = await asked("recording.mark", text="here", by="Ana", ago_s=500.0)
-    also = await asked("recording.mark", text="there")
-    assert -500.0 <= made["t_s"] - now_s < -440.0
-    assert 0.0 <= also["t_s"] - now_s < 60.0
-    assert [data for kind, data in asked.told if kind == "mark"] == [made, also]
+    made = await asked(SetMark(text="here", by="Ana", ago_s=500.0))
+    also = await asked(SetMark(text="there"))
+    assert -500.0 <= made.t_s - now_s < -440.0
+    assert 0.0 <= also.t_s - now_s < 60.0
+    assert [data for kind, data in asked.told if kind == "mark"] == [asdict(made), asdict(also)]
     marks = [note for note in asked.notes() if note.name == MARK]
     assert [note.content for note in marks] == [
-        {"text": "here", "by": "Ana", "id": made["id"]},
-        {"text": "there", "by": None, "id": also["id"]},
+        {"text": "here", "by": "Ana", "id": made.id},
+        {"text": "there", "by": None, "id": also.id},
     ]
-    assert [note.t_ns * 1e-9 for note in marks] == [made["t_s"], also["t_s"]]
-    assert made["id"] != also["id"]
+    assert [note.t_ns * 1e-9 for note in marks] == [made.t_s, also.t_s]
+    assert made.id != also.id
 
 
 @pytest.mark.parametrize(
@@ -285,19 +297,11 @@ async def test_the_identity_names_board_firmware_station_and_person(asked: Asked
     assert control == [{"client": "ana", "name": "Ana"}, {"client": None, "name": None}]
 
 
-async def test_notices_that_nobody_understands_change_nothing(asked: Asked) -> None:
+async def test_a_sample_without_axes_and_a_notice_for_somebody_else_move_nothing(asked: Asked) -> None:
     flight = asked.flight
     flight.stick.control_changed(Client("ana", "Ana"))
     notice = notices(flight.stick, flight.watch.surroundings, flight.clock.steady_s)
-    for name, arguments in (
-        ("control", {}),
-        ("control", {"client": 7, "name": "Bea"}),
-        ("control", {"client": "bea"}),
-        ("stick", {"client": "ana", "sample": []}),
-        ("stick_gone", {"client": None}),
-        ("surroundings", {"findings": None}),
-        ("news", {}),
-    ):
-        notice(name, arguments)
+    notice(StickMoved("ana", {"roll": "much"}))
+    notice(Pace(5))
     assert flight.stick.holder == Client("ana", "Ana")
-    assert flight.stick.counts == {}
+    assert flight.stick.counts == {"invalid": 1}

@@ -6,6 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.answers import KnownMission
+from epf_gcs.contract.status import RoundTripMs
 from epf_gcs.recordings import notes
 from epf_gcs.replay.answers import build_inspector, build_known
 from epf_gcs.replay.outlet import Silence
@@ -31,34 +34,36 @@ def test_a_plan_and_gains_are_known_from_their_note_to_the_one_that_takes_them_a
         (2.0, notes.PARAMETERS, {GAIN: {"value": 0.5, "state": "loaded", "loaded": 0.5}}),
         (6.0, notes.PLAN, {"plan": "hil", "waypoints": None}),
     ]
-    plans = [build_known(head_at(tmp_path, at_s, *told), at_s)["missions"] for at_s in (1.0, 4.0, 8.0)]
-    assert [plan["hil"] for plan in plans] == [
+    plans = [build_known(head_at(tmp_path, at_s, *told), at_s).missions for at_s in (1.0, 4.0, 8.0)]
+    assert [plan.hil for plan in plans] == [
         None,
-        {"plan": "hil", "waypoints": [WAYPOINT]},
-        {"plan": "hil", "waypoints": None},
+        KnownMission("hil", [Waypoint(**WAYPOINT)]),
+        KnownMission("hil", None),
     ]
-    assert plans[1]["flight"] is None
-    gains = build_known(head_at(tmp_path, 4.0, *told), 4.0)["parameters"]
-    assert {gain["name"]: gain["value"] for gain in gains}[GAIN] == 0.5
-    assert build_known(head_at(tmp_path, 1.0, *told), 1.0)["parameters"] is None
+    assert plans[1].flight is None
+    gains = build_known(head_at(tmp_path, 4.0, *told), 4.0).parameters
+    assert {gain.name: gain.value for gain in gains or ()}[GAIN] == 0.5
+    assert build_known(head_at(tmp_path, 1.0, *told), 1.0).parameters is None
 
 
 def test_frames_and_rows_are_counted_up_to_the_moment_with_rate_jitter_and_last_values(tmp_path: Path) -> None:
     found = build_inspector(head_at(tmp_path, 5.0))
-    ahrs = next(frame for frame in found["board"] if frame["name"] == "ahrs")
-    assert 90 <= ahrs["count"] <= 101
-    assert 19.0 < ahrs["rate_hz"] < 21.0
-    assert ahrs["jitter_ms"] > 0.0
-    assert set(ahrs["values"]) == {"yaw_deg", "pitch_deg", "roll_deg"}
-    assert sum(frame["damaged"] for frame in found["board"]) == 1, "the one that was spoiled before 5 s"
-    row = next(row for row in found["rows"] if row["row"] == 17)
-    assert row["count"] >= 90
-    assert row["name"] != "row_17"
-    assert found["link"]["rx_bytes_per_s"] > 0.0
+    ahrs = next(frame for frame in found.board if frame.name == "ahrs")
+    assert 90 <= ahrs.count <= 101
+    assert ahrs.jitter_ms is not None
+    assert ahrs.values is not None
+    assert 19.0 < ahrs.rate_hz < 21.0
+    assert ahrs.jitter_ms > 0.0
+    assert set(ahrs.values) == {"yaw_deg", "pitch_deg", "roll_deg"}
+    assert sum(frame.damaged for frame in found.board) == 1, "the one that was spoiled before 5 s"
+    row = next(row for row in found.rows if row.row == 17)
+    assert row.count >= 90
+    assert row.name != "row_17"
+    assert found.link.rx_bytes_per_s > 0.0
 
 
 def test_what_no_recording_tells_is_null_and_nothing_is_advised(tmp_path: Path) -> None:
     found = build_inspector(head_at(tmp_path, 5.0))
-    assert found["advice"] == []
-    assert found["link"]["round_trips"] is None
-    assert set(found["link"]["round_trip_ms"].values()) == {None}
+    assert found.advice == []
+    assert found.link.round_trips is None
+    assert found.link.round_trip_ms == RoundTripMs()

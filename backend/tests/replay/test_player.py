@@ -8,6 +8,8 @@ from typing import Any
 
 import pytest
 
+from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.status import Status
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.pace import Pace
 from epf_gcs.replay.player import Player
@@ -23,8 +25,8 @@ class Viewer:
         self.samples: list[tuple[str, float, Any]] = []
         self.flushes: list[int] = []
         self.events: list[str] = []
-        self.playbacks: list[Any] = []
-        self.statuses: list[Any] = []
+        self.playbacks: list[Playback] = []
+        self.statuses: list[Status] = []
         self._unflushed = 0
 
     def sample(self, topic: str, t_s: float, values: Any) -> None:
@@ -38,10 +40,10 @@ class Viewer:
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         self.events.append(kind)
 
-    def status(self, status: Mapping[str, Any]) -> None:
+    def status(self, status: Status) -> None:
         self.statuses.append(status)
 
-    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
+    def playback(self, playback: Playback, *, with_samples: bool = False) -> None:
         self.playbacks.append(playback)
 
 
@@ -78,7 +80,7 @@ class Show:
 
     @property
     def at_s(self) -> float:
-        return float(self.player.playback()["at_s"])
+        return float(self.player.playback().at_s)
 
 
 @pytest.fixture(scope="module")
@@ -200,7 +202,7 @@ def test_a_viewer_of_every_sample_holds_the_replay_up_and_misses_nothing(recordi
     show.run(5.0)
     assert len(show.viewer.samples) == first, "nothing is sent before something was taken"
     assert show.at_s < 11.0
-    while show.player.playback()["state"] == "playing":
+    while show.player.playback().state == "playing":
         taken = sum(show.viewer.flushes)
         show.viewer.flushes.clear()
         show.player.taken(taken)
@@ -215,11 +217,11 @@ def test_at_its_end_it_stops_and_says_so_and_plays_again_from_the_start(recordin
     show.player.play(show.now_s, 1.0)
     show.run(3.0)
     last = show.viewer.playbacks[-1]
-    assert (last["state"], last["at_s"]) == ("ended", last["duration_s"])
+    assert (last.state, last.at_s) == ("ended", last.duration_s)
     show.player.play(show.now_s, 1.0)
     show.run(0.5)
     assert show.at_s == pytest.approx(0.5, abs=0.001)
-    assert show.player.playback()["state"] == "playing"
+    assert show.player.playback().state == "playing"
 
 
 def test_a_loop_repeats_its_stretch(recording: Path) -> None:
@@ -228,7 +230,7 @@ def test_a_loop_repeats_its_stretch(recording: Path) -> None:
     show.player.play(show.now_s, 1.0)
     show.run(5.5)
     assert 2.0 <= show.at_s <= 3.0
-    assert show.viewer.playbacks[-1]["jumps"] >= 3
+    assert show.viewer.playbacks[-1].jumps >= 3
     show.player.loop(None)
     show.run(2.0)
     assert show.at_s > 3.5
@@ -240,7 +242,7 @@ def test_a_seek_shows_the_moment_at_once_and_a_paused_replay_stays_there(recordi
     show.player.seek(show.now_s, 9.0)
     show.run(5.0)
     assert show.at_s == 9.0
-    assert show.viewer.playbacks[-1]["state"] == "paused"
+    assert show.viewer.playbacks[-1].state == "paused"
     assert {topic for topic, _, _ in show.viewer.samples} == {
         "ahrs",
         "heartbeat",
@@ -251,7 +253,7 @@ def test_a_seek_shows_the_moment_at_once_and_a_paused_replay_stays_there(recordi
     }
     assert all(t_s <= (STARTS_NS + 9 * SECOND_NS) * 1e-9 for _, t_s, _ in show.viewer.samples)
     assert len(show.viewer.statuses) >= 5, "the status comes each second, or its silence counts as a loss"
-    assert show.viewer.statuses[-1]["topics"]["ahrs"]["age_s"] < 0.1
+    assert (show.viewer.statuses[-1].topics["ahrs"].age_s or 0.0) < 0.1
 
 
 def test_frames_can_be_stepped_forward_and_back(recording: Path) -> None:
@@ -272,15 +274,15 @@ def test_a_moment_reached_without_key_frames_becomes_exact_when_they_come(tmp_pa
     path = write(tmp_path / "a.mcap", flight(40.0))
     show = Show(path, at_s=39.0)
     rough = show.player.status()
-    assert rough["topics"]["ahrs"]["count"] < 400
+    assert rough.topics["ahrs"].count < 400
     while show.scout.has_work:
         show.scout.work()
         show.player.keys_came(show.now_s)
     show.settle()
     exact = Show(path, keys=True, at_s=39.0)
     assert show.player.status() == exact.player.status()
-    assert exact.player.status()["topics"]["ahrs"]["count"] > 700
-    assert show.player.playback()["at_s"] == 39.0
+    assert exact.player.status().topics["ahrs"].count > 700
+    assert show.player.playback().at_s == 39.0
 
 
 def test_the_growing_edge_is_played_as_it_comes(tmp_path: Path) -> None:
@@ -291,11 +293,11 @@ def test_the_growing_edge_is_played_as_it_comes(tmp_path: Path) -> None:
     show.player.play(show.now_s, 1.0)
     show.run(4.0)
     edge_s = show.at_s
-    assert edge_s == pytest.approx(show.player.playback()["edge_s"])
-    assert show.player.playback()["state"] == "playing"
+    assert edge_s == pytest.approx(show.player.playback().edge_s)
+    assert show.player.playback().state == "playing"
     with path.open("ab") as file:
         file.write(data[len(data) // 2 :])
     show.run(2.0)
     assert show.at_s > edge_s + 1.5
     show.run(4.0)
-    assert show.player.playback()["state"] == "ended"
+    assert show.player.playback().state == "ended"

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from epf_gcs.codec.encode import encode_command
+from epf_gcs.contract.status import TaskPeriod
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.packing import pack
 from epf_gcs.recordings.topics import BOARD_SENT, SIMULATOR_RECEIVED
@@ -20,8 +21,6 @@ from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.status import build_status
 from epf_gcs.replay.timeline import Timeline
-from epf_gcs.surroundings.watch import NOTHING_SEEN
-from epf_gcs.web.interface.state.schemas import Status
 from epf_gcs.xplane.datagram import Record, build
 from tests.replay.recordings import SECOND_NS, STARTS_NS, Made, flight, write
 from tests.support.outlet import KeptOutlet
@@ -94,31 +93,21 @@ def test_a_gap_is_a_gap_ages_grow_and_values_go_stale(recording: Path) -> None:
     head = Playhead(Timeline(recording), Silence())
     head.advance(STARTS_NS + 14 * SECOND_NS)
     status = build_status(head, "a.mcap", 0)
-    assert 3.9 < status["topics"]["ahrs"]["age_s"] < 4.1
-    assert status["topics"]["ahrs"]["rate_hz"] == 0.0
+    assert status.topics["ahrs"].age_s == pytest.approx(4.0, abs=0.1)
+    assert status.topics["ahrs"].rate_hz == 0.0
     assert not head.vehicle.telemetry.is_live("ahrs")
-    assert status["simulator"]["rows"] == []
+    assert status.simulator.rows == []
 
 
-def test_the_status_has_the_shape_of_the_live_one(recording: Path) -> None:
+def test_the_status_says_what_the_recording_knows(recording: Path) -> None:
     head = Playhead(Timeline(recording), Silence())
     head.advance(STARTS_NS + 17 * SECOND_NS)
     status = build_status(head, "a.mcap", 12)
-    nobody: dict[str, object] = {
-        "client": None,
-        "name": None,
-        "kind": None,
-        "number": None,
-        "since_s": None,
-        "reserved": None,
-        "requests": [],
-    }
-    whole = {**status, "version": "1", "control": nobody, "surroundings": NOTHING_SEEN, "viewers": 1}
-    assert Status.model_validate(whole).board.mode == "legacy"
-    assert status["board"]["state"] == "open"
-    assert status["board"]["periods_ms"]["parameters"] == {"ms": 50, "chosen": True}
-    assert status["simulator"]["state"] == "open"
-    assert [alarm["id"] for alarm in status["alarms"]] == ["gps_lost"]
+    assert status.board.mode == "legacy"
+    assert status.board.state == "open"
+    assert status.board.periods_ms.parameters == TaskPeriod(50, chosen=True)
+    assert status.simulator.state == "open"
+    assert [alarm.id for alarm in status.alarms] == ["gps_lost"]
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -174,12 +163,12 @@ def test_a_recording_without_notes_of_events_has_the_alarms_of_its_bytes(tmp_pat
     timeline, outlet = Timeline(path), KeptOutlet()
     head = Playhead(timeline, outlet)
     head.advance(STARTS_NS + 9 * SECOND_NS)
-    before = {alarm["id"] for alarm in head.alarms}
+    before = {alarm.id for alarm in head.alarms}
     head.advance(STARTS_NS + 13 * SECOND_NS)
-    assert {alarm["id"] for alarm in head.alarms if alarm["until_s"] is None} - before == {"heartbeat_lost"}
+    assert {alarm.id for alarm in head.alarms if alarm.until_s is None} - before == {"heartbeat_lost"}
     head.advance(STARTS_NS + 20 * SECOND_NS)
-    (silence,) = [alarm for alarm in head.alarms if alarm["id"] == "heartbeat_lost"]
-    assert STARTS_NS * 1e-9 + 14 < silence["until_s"] < STARTS_NS * 1e-9 + 15
+    (silence,) = [alarm for alarm in head.alarms if alarm.id == "heartbeat_lost"]
+    assert silence.until_s == pytest.approx(STARTS_NS * 1e-9 + 14.5, abs=0.5, rel=0.0)
     told = [event for event in outlet.events if event[0] == "alarm" and event[-1]["id"] == "heartbeat_lost"]
     assert [event[-1]["active"] for event in told] == [True, False]
     for at_s in (13, 20):
@@ -212,15 +201,15 @@ def test_a_replay_finds_the_wrong_profile_and_another_pace_as_the_live_flight_do
         for head in (sought, played):
             head.advance(STARTS_NS + at_s * SECOND_NS)
         assert (sought.alarms, state_of(sought)) == (played.alarms, state_of(played))
-        found = {alarm["id"]: alarm["params"] for alarm in played.alarms}
-        simulator = build_status(played, "wrong.mcap", 0)["simulator"]
+        found = {alarm.id: alarm.params for alarm in played.alarms}
+        simulator = build_status(played, "wrong.mcap", 0).simulator
         if at_s == 0:
-            assert (found, simulator["fitting_profile"]) == ({}, None)
+            assert (found, simulator.fitting_profile) == ({}, None)
         else:
             assert found["profile_wrong"] == {"profile": "X-Plane 10 / 11", "fits": "X-Plane 12"}
             assert found["simulator_pace"] == {"pace": 2.0}
-            assert (simulator["profile"], simulator["fitting_profile"]) == ("xp10", "xp12")
-            assert simulator["unusable"] == []
+            assert (simulator.profile, simulator.fitting_profile) == ("xp10", "xp12")
+            assert simulator.unusable == []
 
 
 def test_a_board_that_has_not_answered_the_first_data_yet_has_half_a_second_for_it(tmp_path: Path) -> None:
@@ -231,7 +220,7 @@ def test_a_board_that_has_not_answered_the_first_data_yet_has_half_a_second_for_
     head = Playhead(timeline, Silence())
     for at_ms, expected in ((300, False), (490, False), (900, True)):
         head.advance(STARTS_NS + at_ms * 1_000_000)
-        assert ("hil_lost" in {alarm["id"] for alarm in head.alarms}) == expected
+        assert ("hil_lost" in {alarm.id for alarm in head.alarms}) == expected
 
 
 def test_alarms_that_were_noted_are_not_judged_again(tmp_path: Path) -> None:
@@ -239,7 +228,7 @@ def test_alarms_that_were_noted_are_not_judged_again(tmp_path: Path) -> None:
     outlet = KeptOutlet()
     head = Playhead(Timeline(path), outlet)
     head.advance(STARTS_NS + 13 * SECOND_NS)
-    assert {alarm["id"] for alarm in head.alarms} <= {"gps_lost"}
+    assert {alarm.id for alarm in head.alarms} <= {"gps_lost"}
 
 
 def test_a_recording_that_is_packed_while_it_is_replayed_plays_on(tmp_path: Path) -> None:
@@ -348,8 +337,8 @@ def test_a_pause_and_a_jump_of_the_simulator_are_those_of_the_flight(tmp_path: P
 
     def said(one: Playhead, at_s: float) -> tuple[bool, bool]:
         one.advance(STARTS_NS + round(at_s * SECOND_NS))
-        alarms = {alarm["id"] for alarm in one.alarms if alarm["until_s"] is None}
-        return build_status(one, "a.mcap", 0)["simulator"]["paused"], "simulator_paused" in alarms
+        alarms = {alarm.id for alarm in one.alarms if alarm.until_s is None}
+        return build_status(one, "a.mcap", 0).simulator.paused, "simulator_paused" in alarms
 
     for at_s, expected in ((4.9, False), (6.0, True), (8.9, True), (9.2, False), (11.9, False)):
         assert said(head, at_s) == (expected, expected), at_s

@@ -6,15 +6,21 @@ import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
 from epf_gcs.bus.definition import Named
 from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.contract.hello import Hello
+from epf_gcs.contract.notices import Notice, StickReleased
+from epf_gcs.contract.playback import Loop, Pause, Play, Playback, Seek, Step, Taken, Want
+from epf_gcs.contract.requests import ReadPlayback, ReadStatus, ReadTelemetry, SetParameters
+from epf_gcs.contract.status import Status
 from epf_gcs.errors import GatewayError
 from epf_gcs.replay.vehicle_process import VehicleProcess
 from tests.replay.recordings import STARTS_NS, flight, write
+from tests.support.contract import a_playback
 from tests.support.waiting import eventually_async
 
 
@@ -23,8 +29,8 @@ class Watching:
 
     def __init__(self, folder: Path) -> None:
         self.end = StationEnd(folder, self)
-        self.hello: dict[str, Any] = {}
-        self.playback: dict[str, Any] = {}
+        self.hello: Hello | None = None
+        self.playback = a_playback()
         self.samples: list[Named] = []
         self.statuses = 0
         self.is_lost = False
@@ -32,8 +38,9 @@ class Watching:
     def on_silence(self, *, silent: bool) -> None:
         """A replay may be silent."""
 
-    def on_hello(self, hello: dict[str, Any]) -> None:
-        self.hello, self.playback = hello, hello["playback"]
+    def on_hello(self, hello: Hello) -> None:
+        assert hello.playback is not None
+        self.hello, self.playback = hello, hello.playback
 
     def on_sample(self, sample: Named) -> None:
         self.samples.append(sample)
@@ -44,10 +51,10 @@ class Watching:
     def on_event(self, event: Named) -> None:
         pass
 
-    def on_status(self, status: dict[str, Any]) -> None:
+    def on_status(self, status: Status) -> None:
         self.statuses += 1
 
-    def on_playback(self, playback: dict[str, Any]) -> None:
+    def on_playback(self, playback: Playback) -> None:
         self.playback = playback
 
     def on_lost(self, *, ended: bool) -> None:
@@ -56,7 +63,7 @@ class Watching:
     async def until(self, **wanted: Any) -> None:
         """Wait until the replay says this of itself."""
         await eventually_async(
-            lambda: all(self.playback.get(name) == value for name, value in wanted.items()), f"it is {wanted}"
+            lambda: all(getattr(self.playback, name) == value for name, value in wanted.items()), f"it is {wanted}"
         )
 
 
@@ -66,7 +73,7 @@ async def watching(process: VehicleProcess, folder: Path, at_s: float) -> AsyncI
     process.open(folder, at_s)
     running = asyncio.ensure_future(watched.end.run())
     try:
-        await eventually_async(lambda: bool(watched.hello), "hello")
+        await eventually_async(lambda: watched.hello is not None, "hello")
         yield watched
     finally:
         running.cancel()
@@ -103,32 +110,34 @@ def test_two_viewers_are_each_at_their_own_moment_and_say_each_what_they_want(re
             watching(process, tmp_path / "1", 2.0) as first,
             watching(process, tmp_path / "2", 9.0) as second,
         ):
-            assert (first.playback["at_s"], second.playback["at_s"]) == (2.0, 9.0)
-            assert first.hello["starts_s"] == pytest.approx(STARTS_NS * 1e-9)
-            wishes: list[tuple[str, dict[str, Any], dict[str, Any]]] = [
-                ("seek", {"at_s": 5.0}, {"at_s": 5.0, "state": "paused"}),
-                ("loop", {"from_s": 3.0, "to_s": 4.0}, {"loop": [3.0, 4.0]}),
-                ("loop", {}, {"loop": None}),
-                ("play", {"rate": 0.5}, {"rate": 0.5, "state": "playing"}),
-                ("pause", {}, {"state": "paused"}),
+            assert (first.playback.at_s, second.playback.at_s) == (2.0, 9.0)
+            assert first.hello is not None
+            assert first.hello.flight is not None
+            assert first.hello.flight.starts_s == pytest.approx(STARTS_NS * 1e-9)
+            wishes: list[tuple[Notice, dict[str, Any]]] = [
+                (Seek(5.0), {"at_s": 5.0, "state": "paused"}),
+                (Loop(3.0, 4.0), {"loop": (3.0, 4.0)}),
+                (Loop(), {"loop": None}),
+                (Play(0.5), {"rate": 0.5, "state": "playing"}),
+                (Pause(), {"state": "paused"}),
             ]
-            for name, wished, expected in wishes:
-                first.end.notice(name, **wished)
+            for wish, expected in wishes:
+                first.end.notice(wish)
                 await first.until(**expected)
-            before = first.playback["at_s"]
-            first.end.notice("step", frames=1)
-            await eventually_async(lambda: first.playback["at_s"] > before, "a step")
-            assert second.playback["at_s"] == 9.0
-            no_wishes: list[tuple[str, dict[str, Any]]] = [
-                ("seek", {"at_s": "5"}),
-                ("seek", {"at_s": 1e300}),
-                ("play", {"rate": float("inf")}),
-                ("step", {"frames": 0}),
-                ("command", {"name": "start"}),
+            before = first.playback.at_s
+            first.end.notice(Step(1))
+            await eventually_async(lambda: first.playback.at_s > before, "a step")
+            assert second.playback.at_s == 9.0
+            no_wishes: list[Notice] = [
+                Seek(cast(float, "5")),
+                Seek(1e300),
+                Play(float("inf")),
+                Step(0),
+                StickReleased("c1"),
             ]
-            for name, arguments in no_wishes:
-                second.end.notice(name, **arguments)
-            assert (await second.end.request("playback"))["at_s"] == 9.0, "what is no wish changes nothing"
+            for no_wish in no_wishes:
+                second.end.notice(no_wish)
+            assert (await second.end.ask(ReadPlayback())).at_s == 9.0, "what is no wish changes nothing"
 
     run(process, viewers)
 
@@ -138,12 +147,12 @@ def test_what_is_asked_of_the_past_is_answered_and_nothing_can_be_commanded(reco
 
     async def viewers() -> None:
         async with watching(process, tmp_path / "1", 6.0) as viewer:
-            status = await viewer.end.request("status")
-            assert status["board"]["frames_received"] > 100
-            snapshot = await viewer.end.request("telemetry")
-            assert snapshot["ahrs"]["age_s"] < 0.2
+            status = await viewer.end.ask(ReadStatus())
+            assert status.board.frames_received > 100
+            snapshot = await viewer.end.ask(ReadTelemetry())
+            assert snapshot["ahrs"].age_s < 0.2
             with pytest.raises(GatewayError):
-                await viewer.end.request("parameters.set")
+                await viewer.end.ask(SetParameters({"k_pitch": 2.0}))
 
     run(process, viewers)
 
@@ -153,11 +162,11 @@ def test_a_viewer_of_every_sample_gets_on_as_it_takes_them_to_the_end(recording:
 
     async def viewers() -> None:
         async with watching(process, tmp_path / "1", 0.0) as viewer:
-            viewer.end.notice("want", rate_hz=0)
-            viewer.end.notice("play", rate=100.0)
+            viewer.end.notice(Want(0))
+            viewer.end.notice(Play(100.0))
             taken = 0
-            while viewer.playback["state"] != "ended":
-                viewer.end.notice("taken", count=len(viewer.samples) - taken)
+            while viewer.playback.state != "ended":
+                viewer.end.notice(Taken(len(viewer.samples) - taken))
                 taken = len(viewer.samples)
                 await asyncio.sleep(0.01)
             assert sum(1 for sample in viewer.samples if sample.name == "ahrs") >= 12 * 20 - 5
@@ -171,11 +180,11 @@ def test_key_frames_are_made_in_spare_moments_and_make_a_moment_exact(tmp_path: 
 
     async def viewers() -> None:
         async with watching(process, tmp_path / "1", 39.0) as viewer:
-            rough = viewer.playback["jumps"]
-            await eventually_async(lambda: viewer.playback["jumps"] > rough, "the moment is reached again, from a key")
-            status = await viewer.end.request("status")
-            assert status["topics"]["ahrs"]["count"] > 700
-            assert viewer.playback["at_s"] == 39.0
+            rough = viewer.playback.jumps
+            await eventually_async(lambda: viewer.playback.jumps > rough, "the moment is reached again, from a key")
+            status = await viewer.end.ask(ReadStatus())
+            assert status.topics["ahrs"].count > 700
+            assert viewer.playback.at_s == 39.0
 
     run(process, viewers)
     assert (tmp_path / "keys" / "long.keys").stat().st_size > 10_000
@@ -193,7 +202,7 @@ def test_a_recording_that_begins_now_is_waited_for(tmp_path: Path) -> None:
         running = asyncio.ensure_future(viewer.end.run())
         await asyncio.sleep(0)
         path.write_bytes(data)
-        await eventually_async(lambda: bool(viewer.hello), "hello, when it has begun")
+        await eventually_async(lambda: viewer.hello is not None, "hello, when it has begun")
         running.cancel()
 
     run(process, viewers)
@@ -206,6 +215,6 @@ def test_a_folder_that_has_gone_leaves_the_other_viewers_alone(recording: Path, 
     async def viewers() -> None:
         process.open(tmp_path / "file" / "folder", 1.0)
         async with watching(process, tmp_path / "1", 3.0) as viewer:
-            assert viewer.playback["at_s"] == 3.0
+            assert viewer.playback.at_s == 3.0
 
     run(process, viewers)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import asyncio
 import math
+from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from epf_gcs.contract.notices import Notice, SurroundingsSeen
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.quantized_mesh_reading import SIDE
 from epf_gcs.maps.layer import Bounds, Description, Layer
@@ -67,7 +70,7 @@ class Station:
 
     def __init__(self, folder: Path) -> None:
         self.mirror, self.now_s = Mirror(), 0.0
-        self.told: list[list[dict[str, Any]]] = []
+        self.told: list[list[Mapping[str, Any]]] = []
         self.watch = Surroundings(
             self.mirror,
             FlatTiles(),
@@ -76,9 +79,10 @@ class Station:
             self._notice,
         )
 
-    def _notice(self, _: str, *, findings: list[dict[str, Any]], watched: list[str], blind: list[str]) -> None:
-        self.told.append(findings)
-        self.watched, self.blind = watched, blind
+    def _notice(self, notice: Notice) -> None:
+        assert isinstance(notice, SurroundingsSeen)
+        self.told.append(notice.findings)
+        self.watched, self.blind = notice.watched, notice.blind
 
     async def fly(self, until_s: float, altitude_m: float, climb_mps: float = 0.0) -> None:
         while self.now_s < until_s:
@@ -89,15 +93,14 @@ class Station:
             await asyncio.sleep(0)
 
     def flight(self) -> dict[str, Any]:
-        found: dict[str, Any] = self.watch.state()["flight"]
-        return found
+        return asdict(self.watch.state().flight)
 
 
 async def run(station: Station) -> asyncio.Task[None]:
     """Begin to look for heights, and wait until the layer is known."""
     running = asyncio.create_task(station.watch.run())
     async with asyncio.timeout(DEADLINE_S):
-        while station.watch.state()["flight"]["ground_ft"] is None:
+        while station.watch.state().flight.ground_ft is None:
             station.now_s += 0.2
             station.mirror.gps(station.now_s, 1000.0)
             station.watch.gather()

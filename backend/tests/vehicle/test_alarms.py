@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from epf_gcs.contract.alarm_ids import AlarmId
 from epf_gcs.errors import GatewayError, InvalidInputError, NotFoundError
-from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarm, Alarms
 from epf_gcs.vehicle.judges import Finding, Level
 from epf_gcs.vehicle.thresholds import THRESHOLDS
@@ -260,7 +260,7 @@ async def test_alarms_go_on_from_a_kept_list_and_what_is_known_is_not_told_again
     after.alarms.look(2.0)
     after.wrong = before.wrong
     after.outlet.events.clear()
-    after.alarms.restore(alarm.as_dict() for alarm in before.alarms.active)
+    after.alarms.restore(alarm.state for alarm in before.alarms.active)
     assert after.alarms.active == before.alarms.active
     assert not after.alarms.look(3.0)
     assert after.alarms.active == before.alarms.active

@@ -68,7 +68,7 @@ async def test_a_value_that_cannot_be_true_is_no_data_and_is_counted(tmp_path: P
     board.send(encode_telemetry("ahrs", 370.0, 5.0, float("nan")))
     await eventually_async(lambda: station.telemetry.newest("ahrs") is not None, "it is heard")
     assert station.telemetry.newest("ahrs") == {"yaw_deg": None, "pitch_deg": 5.0, "roll_deg": None}
-    assert station.telemetry.summary()["ahrs"]["implausible"] == {"yaw_deg": 1, "roll_deg": 1}
+    assert station.telemetry.summary()["ahrs"].implausible == {"yaw_deg": 1, "roll_deg": 1}
     station.supervisor.shut_down()
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 import pytest
 
 from epf_gcs.clock import Clock
@@ -22,9 +24,9 @@ def heard(*times_s: float) -> Arrivals:
 
 def test_a_frame_has_its_rate_to_the_hundredth_and_its_times_to_the_thousandth() -> None:
     (frame,) = inspect_frames([CountedFrame(1, "ahrs", 3, 0.2, heard(100.0, 100.3, 100.7, 101.3))], 101.53456)
-    values = frame.pop("values")
-    assert values[3] == 101.3
-    assert frame == {
+    shown = asdict(frame)
+    assert shown.pop("values")[3] == 101.3
+    assert shown == {
         "id": 1,
         "name": "ahrs",
         "damaged": 3,
@@ -38,17 +40,17 @@ def test_a_frame_has_its_rate_to_the_hundredth_and_its_times_to_the_thousandth()
 
 def test_a_frame_that_never_came_has_neither_rate_nor_age() -> None:
     (frame,) = inspect_frames([CountedFrame(1, "ahrs", 0, None, Arrivals())], 5.0)
-    assert (frame["count"], frame["rate_hz"], frame["jitter_ms"], frame["age_s"]) == (0, 0.0, None, None)
+    assert (frame.count, frame.rate_hz, frame.jitter_ms, frame.age_s) == (0, 0.0, None, None)
 
 
 def test_rows_are_those_of_the_profile_and_those_that_came_in_their_order() -> None:
     rows = inspect_rows({77: heard(1.0), 3: heard(2.0)}, "xp10", 3.0)
-    assert [row["row"] for row in rows] == sorted(row["row"] for row in rows)
-    by_number = {row["row"]: row for row in rows}
-    assert (by_number[77]["name"], by_number[77]["expected"], by_number[77]["age_s"]) == ("row_77", False, 2.0)
-    assert by_number[77]["values"] == [None, None, None, 1.0]
-    assert (by_number[3]["count"], by_number[3]["expected"], by_number[4]["count"]) == (1, True, 0)
-    assert by_number[4]["values"] is None
+    assert [row.row for row in rows] == sorted(row.row for row in rows)
+    by_number = {row.row: row for row in rows}
+    assert (by_number[77].name, by_number[77].expected, by_number[77].age_s) == ("row_77", False, 2.0)
+    assert by_number[77].values == [None, None, None, 1.0]
+    assert (by_number[3].count, by_number[3].expected, by_number[4].count) == (1, True, 0)
+    assert by_number[4].values is None
 
 
 @pytest.mark.parametrize(

@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any, get_args
 
 import pytest
 
 from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.contract.answers import FlightIdentity, GainStateName
 from epf_gcs.vehicle.noted import gains_of, identity_of
-from epf_gcs.vehicle.parameters import State
 
-UNKNOWN = {
-    "station": None,
-    "firmware": None,
-    "aircraft": None,
-    "operator": None,
-    "board": None,
-    "emulated": False,
-}
+UNKNOWN = tuple(asdict(FlightIdentity()))
 
 
 def test_a_stations_note_is_taken_as_it_is() -> None:
@@ -29,18 +23,18 @@ def test_a_stations_note_is_taken_as_it_is() -> None:
         "board": "EPF",
         "emulated": True,
     }
-    assert identity_of(note) == note
-    assert identity_of({**note, "board": {"name": "EPF"}}) == note
+    assert asdict(identity_of(note)) == note
+    assert identity_of({**note, "board": {"name": "EPF"}}) == identity_of(note)
 
 
 @pytest.mark.parametrize("content", [None, [], "text", 1, {}])
 def test_without_a_note_nothing_is_known(content: Any) -> None:
-    assert identity_of(content) == UNKNOWN
+    assert identity_of(content) == FlightIdentity()
 
 
 @pytest.mark.parametrize("wrong", [1, True, [], {"name": 2}, {}])
 def test_what_is_no_text_is_not_known(wrong: Any) -> None:
-    assert identity_of(dict.fromkeys((*UNKNOWN, "more"), wrong)) == {**UNKNOWN, "emulated": wrong is True}
+    assert identity_of(dict.fromkeys((*UNKNOWN, "more"), wrong)) == FlightIdentity(emulated=wrong is True)
 
 
 def test_gains_are_given_with_their_limits_and_what_is_no_number_is_not_known() -> None:
@@ -53,20 +47,20 @@ def test_gains_are_given_with_their_limits_and_what_is_no_number_is_not_known() 
             "more": {"value": 1.0},
         }
     )
-    known = [(one["name"], one["value"], one["loaded"], one["state"]) for one in found]
+    known = [(one.name, one.value, one.loaded, one.state) for one in found]
     assert known == [
         (first.name, 1.5, 2, "confirmed"),
         *((one.name, None, None, "unknown") for one in (second, third, *others)),
     ]
-    assert [(one["minimum"], one["maximum"], one["default"], one["unit"]) for one in found] == [
+    assert [(one.minimum, one.maximum, one.default, one.unit) for one in found] == [
         (one.minimum, one.maximum, one.default, "1") for one in PARAMETERS
     ]
-    assert [(one["group"], one["step"], one["is_integer"], one["doc"]) for one in found] == [
+    assert [(one.group, one.step, one.is_integer, one.doc) for one in found] == [
         (one.group, one.step, one.is_integer, one.doc) for one in PARAMETERS
     ]
 
 
-@pytest.mark.parametrize("state", get_args(State))
+@pytest.mark.parametrize("state", get_args(GainStateName))
 def test_every_state_that_a_gain_of_a_station_can_have_is_known(state: str) -> None:
     (first, *_) = gains_of({PARAMETERS[0].name: {"value": 1.0, "state": state, "loaded": None}})
-    assert first["state"] == state
+    assert first.state == state

@@ -8,16 +8,17 @@ import pytest
 
 from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.codec.values import single
+from epf_gcs.contract.answers import GainState
 from epf_gcs.vehicle.parameters import (
     BY_NAME,
     UNKNOWN,
     Held,
     after_read,
     as_held,
-    as_values,
     differing,
     fault,
     forgotten,
+    gain_state,
     loaded_now,
     shown,
     with_state,
@@ -104,6 +105,6 @@ def test_a_value_is_written_down_as_the_board_holds_it() -> None:
 
 
 def test_a_gain_is_given_with_what_it_is_and_what_it_was_as_they_were_written() -> None:
-    assert as_values("k_int_pitch", Held()) == {"value": None, "state": "unknown", "loaded": None}
+    assert gain_state("k_int_pitch", Held()) == GainState()
     held = Held(single(0.6), "confirmed", single(0.1))
-    assert as_values("k_int_pitch", held) == {"value": 0.6, "state": "confirmed", "loaded": 0.1}
+    assert gain_state("k_int_pitch", held) == GainState(0.6, "confirmed", 0.1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 import pytest
 
 from epf_gcs.clock import Clock
@@ -40,18 +42,18 @@ async def test_a_topic_is_live_for_three_periods() -> None:
     heard.hear("ahrs", 10, 0.1)
     heard.clock.at_s += 0.29
     assert heard.telemetry.is_live("ahrs")
-    assert not heard.telemetry.snapshot()["ahrs"]["stale"]
+    assert not heard.telemetry.snapshot()["ahrs"].stale
     heard.clock.at_s += 0.02
     assert not heard.telemetry.is_live("ahrs")
-    assert heard.telemetry.snapshot()["ahrs"]["stale"]
-    assert heard.telemetry.snapshot()["ahrs"]["age_s"] == pytest.approx(0.31)
+    assert heard.telemetry.snapshot()["ahrs"].stale
+    assert heard.telemetry.snapshot()["ahrs"].age_s == pytest.approx(0.31)
 
 
 async def test_an_answer_that_was_asked_for_does_not_grow_stale() -> None:
     heard = Heard()
     heard.hear("autopilot_parameters", 3, 0.1)
     heard.clock.at_s += 3600.0
-    assert not heard.telemetry.snapshot()["autopilot_parameters"]["stale"]
+    assert not heard.telemetry.snapshot()["autopilot_parameters"].stale
     assert heard.telemetry.stale_after_s("autopilot_parameters") is None
 
 
@@ -80,15 +82,15 @@ async def test_the_summary_of_a_topic_is_its_count_rate_age_and_limit() -> None:
     assert heard.telemetry.age_s("ahrs") == pytest.approx(0.12345)
     heard.telemetry.take("gps", heard.clock.at_s, {"n": 1}, ("altitude_m",))
     summary = heard.telemetry.summary()
-    assert summary["ahrs"] == {
+    assert asdict(summary["ahrs"]) == {
         "count": 9,
         "rate_hz": 3.33,
         "age_s": 0.123,
         "stale_after_s": pytest.approx(0.9),
         "implausible": {},
     }
-    assert (summary["gps"]["count"], summary["gps"]["age_s"], summary["gps"]["rate_hz"]) == (1, 0.0, 0.0)
-    assert summary["gps"]["implausible"] == {"altitude_m": 1}
+    assert (summary["gps"].count, summary["gps"].age_s, summary["gps"].rate_hz) == (1, 0.0, 0.0)
+    assert summary["gps"].implausible == {"altitude_m": 1}
 
 
 async def test_what_was_never_heard_has_no_age() -> None:
@@ -113,8 +115,8 @@ async def test_what_the_emulation_showed_is_no_data_at_once_and_what_is_heard_la
     assert not telemetry.is_live("gps")
     assert (telemetry.snapshot(), telemetry.summary()) == ({}, {})
     telemetry.take("gps", clock.at_s, {"latitude_deg": 28.0})
-    assert telemetry.snapshot()["gps"]["values"] == {"latitude_deg": 28.0}
-    assert telemetry.summary()["gps"]["count"] == 1
+    assert telemetry.snapshot()["gps"].values == {"latitude_deg": 28.0}
+    assert telemetry.summary()["gps"].count == 1
 
 
 async def test_each_topic_is_expected_as_often_as_its_own_task_was_told() -> None:

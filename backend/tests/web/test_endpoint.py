@@ -14,7 +14,8 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
-from epf_gcs.web.interface.state.schemas import Status
+from epf_gcs.contract.status import Status
+from tests.support.contract import read_as
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, Stream
 from tests.support.waiting import DEADLINE_S, eventually
@@ -52,7 +53,7 @@ def test_hello_says_who_and_what_and_how_everything_stands(gateway: Gateway) -> 
         assert hello["has_control"]
         assert {"ahrs", "heartbeat", "simulator", "xplane_info", "hil_surfaces"} <= set(hello["topics"])
         assert abs(hello["server_time_s"] - time.time()) < 60
-        Status.model_validate(hello["status"])
+        read_as(Status, hello["status"])
 
 
 def test_samples_arrive_with_their_time_and_values(gateway: Gateway, board: FakeBoard) -> None:
@@ -103,7 +104,7 @@ def test_a_browser_that_stops_acknowledging_is_not_sent_more_and_then_gets_the_n
 def test_status_comes_without_a_board_too_and_each_is_paced_by_a_batch(gateway: Gateway) -> None:
     with gateway.stream() as stream:
         for _ in range(3):
-            Status.model_validate(stream.next("status")["data"])
+            read_as(Status, stream.next("status")["data"])
             assert stream.next("batch")["samples"] == []
 
 

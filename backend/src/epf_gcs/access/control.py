@@ -6,17 +6,20 @@ import asyncio
 import secrets
 from collections import OrderedDict
 from collections.abc import Callable, Iterable
-from dataclasses import replace
-from typing import Any, Final, Protocol
+from dataclasses import asdict, replace
+from typing import Any, Final, Protocol, cast
 
 from epf_gcs.access import refusals
 from epf_gcs.access.authority import KEPT_S, Authority
 from epf_gcs.access.caller import LOCAL_SESSION, Caller
 from epf_gcs.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
-from epf_gcs.access.roles import Role
+from epf_gcs.access.roles import Role, RoleName
 from epf_gcs.access.watch import LOOK_EVERY_S, Line, Watch
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
+from epf_gcs.contract.hello import ControlHolder
+from epf_gcs.contract.notices import ControlChanged, Notice, StickReleased
+from epf_gcs.contract.status import ControlRequest, ControlReserved, ControlState
 from epf_gcs.repeating import Repeating, report_failure
 from epf_gcs.xplane.datagram import Surfaces
 
@@ -26,8 +29,6 @@ _MOST_SESSIONS: Final = 2000
 _THIS_COMPUTER: Final = "this computer"
 _SOMEBODY: Final = "somebody"
 _NAMELESS: Final[dict[str, Any]] = {"client": None, "name": None, "kind": None, "number": None}
-NOBODY_STATE: Final[dict[str, Any]] = {**_NAMELESS, "since_s": None, "reserved": None, "requests": []}
-"""The state of control while one looks at the past: nobody commands there."""
 
 
 class Told(Protocol):
@@ -36,7 +37,7 @@ class Told(Protocol):
     def event(self, kind: str, data: dict[str, Any]) -> None:
         """All viewers."""
 
-    def notice(self, name: str, /, **arguments: Any) -> None:
+    def notice(self, notice: Notice) -> None:
         """The flight process."""
 
     def changed(self) -> None:
@@ -103,7 +104,7 @@ class Control:
         self._belongs(client_id, caller.session)
         self._apply(self._rules.connect(page, self._clock.steady_s()))
         # Samples of an earlier stream of the same page must not count as those of this one.
-        self._told.notice("stick_gone", client=client_id)
+        self._told.notice(StickReleased(client_id))
         self._looking.arm(LOOK_EVERY_S)
         return page
 
@@ -111,7 +112,7 @@ class Control:
         """A stream is closed. Idempotent, also where another stream has its id by now."""
         if self._lines.get(client_id) is line:
             self._apply(self._rules.disconnect(client_id, self._clock.steady_s()))
-            self._told.notice("stick_gone", client=client_id)
+            self._told.notice(StickReleased(client_id))
             self._forget(client_id)
 
     def change_session(self, caller: Caller) -> None:
@@ -129,15 +130,15 @@ class Control:
         pages = [page for page in self._rules.pages.values() if page.session == session]
         self._apply(self._rules.end(session, self._clock.steady_s()))
         for page in pages:
-            self._told.notice("stick_gone", client=page.client)
+            self._told.notice(StickReleased(page.client))
             self._forget(page.client)
 
-    def restore(self, kept: dict[str, Any]) -> None:
+    def restore(self, kept: ControlHolder) -> None:
         """Keep control for the page that had it before a restart, as `tell_flight` told it."""
         if self._rules.holder is None and self._rules.last is None:
-            about = kept.get("about") or {}
+            about = kept.about
             session, number = str(about.get("session", "")), int(about.get("number", 1))
-            page = Page(kept["client"], session, about.get("kind", "person"), str(kept["name"]), number, Role.operator)
+            page = Page(kept.client, session, about.get("kind", "person"), kept.name, number, Role.operator)
             self._belongs(page.client, session)
             self._apply(self._rules.restore(page, self._clock.steady_s()))
             self._looking.arm(LOOK_EVERY_S)
@@ -150,11 +151,11 @@ class Control:
         """
         page = self._rules.holder or self._rules.kept_for or put_out
         if page is None:
-            self._told.notice("control", client=None, name=None)
+            self._told.notice(ControlChanged())
             return
         about = {"session": page.session, "kind": page.kind, "number": page.number}
         kept = self._rules.holder is None
-        self._told.notice("control", client=page.client, name=page.name, about=about, kept=kept)
+        self._told.notice(ControlChanged(page.client, page.name, about, kept))
 
     def own(self, caller: Caller, client_id: str) -> str:
         """The id, if it is of the caller's session: an id that is not known is nobody's. Raises NotYoursError."""
@@ -211,31 +212,31 @@ class Control:
             self._stick_at = position
         return True
 
-    def state(self) -> dict[str, Any]:
-        """As `ControlState` has it."""
+    def state(self) -> ControlState:
+        """For the status: who has control, whom it is kept for, and who asks for it."""
         rules = self._rules
-        kept = None if rules.kept_for is None else fields(rules.kept_for)
-        if kept is not None and rules.kept_until_s is not None:
-            kept["until_s"] = self._unix(rules.kept_until_s)
-        return {
+        kept, until_s = rules.kept_for, rules.kept_until_s
+        return ControlState(
             **fields(rules.holder),
-            "since_s": None if rules.holder is None else self._unix(rules.since_s),
-            "reserved": kept,
-            "requests": [self._request(rules.pages[client]) for client in rules.requests],
-        }
+            since_s=None if rules.holder is None else self._unix(rules.since_s),
+            reserved=None
+            if kept is None or until_s is None
+            else ControlReserved(**fields(kept), until_s=self._unix(until_s)),
+            requests=[self._request(rules.pages[client]) for client in rules.requests],
+        )
 
     def pages(self) -> list[dict[str, Any]]:
         """All pages on the live stream, the longest first."""
         return [{**fields(page), "role": page.role.name} for page in self._rules.pages.values()]
 
-    def _request(self, page: Page) -> dict[str, Any]:
+    def _request(self, page: Page) -> ControlRequest:
         given_s = self._rules.given_s(page.client)
-        return {
+        return ControlRequest(
             **fields(page),
-            "role": page.role.name,
-            "since_s": self._unix(self._rules.requests[page.client]),
-            "given_at_s": None if given_s is None else self._unix(given_s),
-        }
+            role=cast(RoleName, page.role.name),
+            since_s=self._unix(self._rules.requests[page.client]),
+            given_at_s=None if given_s is None else self._unix(given_s),
+        )
 
     def _did(self, client_id: str) -> None:
         self._watches.pop(client_id, None)
@@ -278,13 +279,13 @@ class Control:
                     self._stick_at = None
                     gone.append(client)
                 case RequestOpened(page):
-                    self._told.event("control_request", self._request(page))
+                    self._told.event("control_request", asdict(self._request(page)))
                 case RequestClosed(page, result):
                     self._told.event("control_request_closed", {**fields(page), "result": result})
             self._told.changed()
         # After the holder, which says whether the choice of that gamepad has ended or only its samples.
         for client in gone:
-            self._told.notice("stick_gone", client=client)
+            self._told.notice(StickReleased(client))
 
     def _look(self) -> float | None:
         """Look at the lines of those whose silence matters: who has control, who asks, and who was silent."""

@@ -3,21 +3,20 @@
 Every record is a header (u32 length of the body, u8 kind, little endian) and a body.
 
 From the vehicle:
-  HELLO    JSON object: `version`, `vehicle` ("live" or "replay"), `clock_offset_ns` (Unix minus steady clock),
-           `control` (the page that has the controls, or had them until just now: {client, name, about} as the NOTICE
-           `control` said, or null) and `status`, which is what STATUS holds; from a replay also `playback`, `flight`
-           (id), `starts_s` (Unix) and `duration_s`
+  HELLO    JSON of `contract.hello.Hello`
   SAMPLE   f64 Unix time, u8 length of the topic's name, the name, then the JSON text
            {"topic": ..., "t_s": ..., "values": {...}} as viewers get it
   EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}
-  STATUS   JSON object: the state of links, HIL, recording, alarms, errors and topics
-  ANSWER   u32 number of the request, then JSON: {"result": ...} or {"fault": {...}} (see `faults.py`)
+  STATUS   JSON of `contract.status.Status`
+  ANSWER   u32 number of the request, then JSON: {"result": ...} of the request's type, or {"fault": {...}} (see
+           `faults.py`)
   BYE      empty; the vehicle's process ends because it was told to
-  PLAYBACK JSON object, from a replayed vehicle: where it is and whether it plays. When its `jumps` has changed, the
-           samples before it are of another moment; the newest sample of every topic follows
+  PLAYBACK JSON of `contract.playback.Playback`, from a replayed vehicle. When its `jumps` has changed, the samples
+           before it are of another moment; the newest sample of every topic follows
 To the vehicle:
-  REQUEST  u32 number, then JSON: {"name": ..., "arguments": {...}, "by": {"client": ..., "name": ...} or null}
-  NOTICE   JSON: {"name": ..., "arguments": {...}}; it has no answer. One is of the stream itself: "pace" {rate_hz}
+  REQUEST  u32 number, then JSON: {"name": ..., "arguments": {...}, "by": {"client": ..., "name": ...} or null}; the
+           name is a class of `contract.requests`, the arguments are its fields
+  NOTICE   JSON: {"name": ..., "arguments": {...}}, of a class of `contract.notices`; it has no answer
 
 A connection begins with HELLO, followed by the newest SAMPLE of every topic. Every SAMPLE is sent as soon as it is
 heard, unless the station has said that it looks only so many times a second: then samples are gathered and sent
@@ -30,9 +29,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import IntEnum
 from struct import Struct
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, TypeVar
 
+import msgspec
 import orjson
+
+from epf_gcs.contract.notices import Notice
+from epf_gcs.contract.requests import Request
 
 # An answer that holds all gains, plans or the inspector's tables is some 100 kB.
 MAX_BODY_BYTES: Final = 8_000_000
@@ -40,9 +43,6 @@ MAX_BODY_BYTES: Final = 8_000_000
 _HEADER: Final = Struct("<IB")
 _STAMP: Final = Struct("<dB")
 _NUMBER: Final = Struct("<I")
-
-PACE: Final = "pace"
-"""The name of the NOTICE that says how many times a second the station looks at samples; 0: each at once."""
 
 # A NamedTuple's own constructor is a Python function; this is half of the cost of cutting out a record.
 _new_tuple: Final = tuple.__new__
@@ -81,7 +81,7 @@ class Client:
 
 
 def client_fields(client: Client | None) -> dict[str, str | None]:
-    """How status, events and notices name a client, or nobody."""
+    """How events name a client, or nobody."""
     if client is None:
         return {"client": None, "name": None}
     return {"client": client.id, "name": client.name}
@@ -151,15 +151,41 @@ def unpack_numbered(body: bytes) -> tuple[int, dict[str, Any]]:
     return int(_NUMBER.unpack_from(body)[0]), unpack_object(body[_NUMBER.size :])
 
 
+def pack_request(number: int, request: Request[Any], by: Asker | None) -> bytes:
+    """A REQUEST."""
+    return pack_numbered(Kind.REQUEST, number, {"name": type(request).__name__, "arguments": request, "by": by})
+
+
+def pack_notice(notice: Notice) -> bytes:
+    """A NOTICE."""
+    return pack(Kind.NOTICE, orjson.dumps({"name": type(notice).__name__, "arguments": notice}))
+
+
+T = TypeVar("T")
+
+
+def unpack_as(kind: type[T], body: bytes) -> T:
+    """Decode a body that is JSON of this type: the one place where what came is held against the contract.
+
+    Raises BusError.
+    """
+    try:
+        return msgspec.json.decode(body, type=kind)
+    except msgspec.DecodeError as error:
+        raise BusError(f"a record is no {kind.__name__}: {error}") from error
+
+
+def converted(kind: Any, value: Any) -> Any:
+    """Plain values as a type of the contract. Raises BusError."""
+    try:
+        return msgspec.convert(value, kind)
+    except msgspec.ValidationError as error:
+        raise BusError(f"a record does not fit {getattr(kind, '__name__', kind)}: {error}") from error
+
+
 def unpack_object(body: bytes) -> dict[str, Any]:
     """Decode a body that is a JSON object. Raises BusError."""
-    try:
-        value = orjson.loads(body)
-    except orjson.JSONDecodeError as error:
-        raise BusError("a record is not JSON") from error
-    if not isinstance(value, dict):
-        raise BusError("a record is not a JSON object")
-    return value
+    return unpack_as(dict[str, Any], body)
 
 
 class Decoder:

@@ -7,28 +7,32 @@ import contextlib
 import itertools
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Final, Protocol
+from typing import Any, Final, Protocol, cast
 
-import orjson
 import structlog
 
 from epf_gcs.bus.address import connect
 from epf_gcs.bus.channel import Channel
 from epf_gcs.bus.definition import (
-    PACE,
     Asker,
     BusError,
     Decoder,
     Kind,
     Named,
     Record,
-    pack,
-    pack_numbered,
+    converted,
+    pack_notice,
+    pack_request,
+    unpack_as,
     unpack_named,
     unpack_numbered,
-    unpack_object,
 )
 from epf_gcs.bus.faults import error_of
+from epf_gcs.contract.hello import Hello
+from epf_gcs.contract.notices import Notice
+from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.requests import AnswerT_co, Request, answer_type
+from epf_gcs.contract.status import Status
 from epf_gcs.errors import ConflictError, GatewayError, UnavailableError
 
 _RETRY_S: Final = 0.05
@@ -45,7 +49,7 @@ log = structlog.get_logger("web")
 class Listener(Protocol):
     """Receives a vehicle's records, on the event loop."""
 
-    def on_hello(self, hello: dict[str, Any]) -> None:
+    def on_hello(self, hello: Hello) -> None:
         """Connected to the vehicle; the newest sample of every topic follows."""
 
     def on_sample(self, sample: Named) -> None:
@@ -57,10 +61,10 @@ class Listener(Protocol):
     def on_event(self, event: Named) -> None:
         """Something happened."""
 
-    def on_status(self, status: dict[str, Any]) -> None:
+    def on_status(self, status: Status) -> None:
         """The state of links, HIL, recording, alarms, errors and topics."""
 
-    def on_playback(self, playback: dict[str, Any]) -> None:
+    def on_playback(self, playback: Playback) -> None:
         """Where a replayed vehicle is, and whether it plays; a live one never says this."""
 
     def on_silence(self, *, silent: bool) -> None:
@@ -148,8 +152,8 @@ class StationEnd:
             if not future.done():
                 future.set_exception(error)
 
-    async def request(self, name: str, by: Asker | None = None, /, **arguments: Any) -> Any:
-        """Send a request and return its result. Raises what the vehicle raised; ConflictError if not connected.
+    async def ask(self, request: Request[AnswerT_co], by: Asker | None = None) -> AnswerT_co:
+        """Send a request and return its answer. Raises what the vehicle raised; ConflictError if not connected.
 
         Of a vehicle that is silent, a question (without `by`) waits a little for the answer; an order is refused at
         once, because nobody would expect it to be done later.
@@ -162,24 +166,20 @@ class StationEnd:
         number = next(self._numbers)
         answer: asyncio.Future[Any] = asyncio.get_running_loop().create_future()
         self._waiting[number] = answer
-        asker = None if by is None else {"client": by.client, "name": by.name}
-        channel.send(pack_numbered(Kind.REQUEST, number, {"name": name, "arguments": arguments, "by": asker}))
+        channel.send(pack_request(number, request, by))
         try:
             async with asyncio.timeout(_ANSWER_S):
-                return await answer
+                return cast(AnswerT_co, converted(answer_type(type(request)), await answer))
         except TimeoutError:
+            name = type(request).__name__
             raise GatewayError("internal", f"The flight process did not answer '{name}': look at its log.") from None
         finally:
             self._waiting.pop(number, None)
 
-    def notice(self, name: str, /, **arguments: Any) -> None:
+    def notice(self, notice: Notice) -> None:
         """Send something that needs no answer; dropped if not connected."""
         if self._channel is not None:
-            self._channel.send(pack(Kind.NOTICE, orjson.dumps({"name": name, "arguments": arguments})))
-
-    def pace(self, rate_hz: int) -> None:
-        """Say how many times a second samples are looked at: the vehicle may gather them; 0: each at once."""
-        self.notice(PACE, rate_hz=rate_hz)
+            self._channel.send(pack_notice(notice))
 
     def _on_data(self, data: bytes) -> None:
         self._silence_s = 0.0
@@ -217,7 +217,7 @@ class StationEnd:
         elif record.kind == Kind.EVENT:
             self._listener.on_event(unpack_named(record.body))
         elif record.kind == Kind.STATUS:
-            self._listener.on_status(unpack_object(record.body))
+            self._listener.on_status(unpack_as(Status, record.body))
         elif record.kind == Kind.ANSWER:
             number, answer = unpack_numbered(record.body)
             future = self._waiting.get(number)
@@ -228,9 +228,9 @@ class StationEnd:
             else:
                 future.set_result(answer.get("result"))
         elif record.kind == Kind.PLAYBACK:
-            self._listener.on_playback(unpack_object(record.body))
+            self._listener.on_playback(unpack_as(Playback, record.body))
         elif record.kind == Kind.HELLO:
-            self._listener.on_hello(unpack_object(record.body))
+            self._listener.on_hello(unpack_as(Hello, record.body))
         elif record.kind == Kind.BYE:
             self._said_bye = True
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 import orjson
@@ -17,14 +18,20 @@ from epf_gcs.bus.definition import (
     Decoder,
     Kind,
     Record,
+    converted,
     pack,
     pack_event,
     pack_numbered,
     pack_sample,
+    unpack_as,
     unpack_numbered,
-    unpack_object,
 )
 from epf_gcs.bus.faults import fault_of
+from epf_gcs.contract.hello import Hello
+from epf_gcs.contract.notices import Notice, Pace
+from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.requests import REQUESTS, Request
+from epf_gcs.contract.status import Status
 from epf_gcs.errors import GatewayError
 from epf_gcs.repeating import Repeating
 
@@ -39,7 +46,20 @@ _EARLY: Final = 0.25
 log = structlog.get_logger("flight")
 
 
-Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
+Handler = Callable[[Any, Asker], Awaitable[Any]]
+"""Takes a request and who asks; returns the answer. Raises GatewayError."""
+Handlers = Mapping[type[Request[Any]], Handler]
+
+
+NOTICES: Final[Mapping[str, type[Notice]]] = {kind.__name__: kind for kind in Notice.__subclasses__()}
+
+
+@dataclass(frozen=True, slots=True)
+class _Named:
+    """The JSON of a NOTICE."""
+
+    name: str
+    arguments: dict[str, Any] = field(default_factory=dict)
 
 
 class Broadcast:
@@ -94,13 +114,13 @@ class Broadcast:
             self.send_gathered()
             self._send(pack_event(kind, self._now_s(), data))
 
-    def status(self, status: Mapping[str, Any]) -> None:
+    def status(self, status: Status) -> None:
         """The state of links, HIL, recording, alarms, errors and topics."""
         if self._rates_hz:
             self.send_gathered()
             self._send(pack(Kind.STATUS, orjson.dumps(status)))
 
-    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
+    def playback(self, playback: Playback, *, with_samples: bool = False) -> None:
         """Where a replay is, and whether it plays; sent at once, or before the samples of the next `flush`."""
         if self._rates_hz:
             data = pack(Kind.PLAYBACK, orjson.dumps(playback))
@@ -181,10 +201,10 @@ class VehicleEnd:
         self,
         broadcast: Broadcast,
         *,
-        hello: Callable[[], Mapping[str, Any]],
+        hello: Callable[[], Hello],
         samples: Callable[[], list[tuple[str, float, Mapping[str, Any]]]],
-        requests: Mapping[str, Handler],
-        on_notice: Callable[[str, dict[str, Any]], None],
+        requests: Handlers,
+        on_notice: Callable[[Notice], None],
         on_gone: Callable[[], None],
     ) -> None:
         self._broadcast = broadcast
@@ -222,24 +242,30 @@ class VehicleEnd:
 
     def notice(self, channel: Channel, body: bytes) -> None:
         """Take the body of a listener's NOTICE: its pace, or pass it on. Raises BusError."""
-        said = unpack_object(body)
-        match said.get("name"), said.get("arguments") or {}:
-            case "pace", {"rate_hz": int(rate_hz)} if rate_hz >= 0:
-                self._broadcast.pace(channel, rate_hz)
-            case name, arguments:
-                try:
-                    self._on_notice(str(name), dict(arguments))
-                except Exception:  # a request behind it is still waited for
-                    log.exception("a notice could not be taken", notice=name)
+        said = unpack_as(_Named, body)
+        kind = NOTICES.get(said.name)
+        if kind is None:
+            log.warning("an unknown notice was dropped", notice=said.name)
+            return
+        try:
+            notice = converted(kind, said.arguments)
+            if isinstance(notice, Pace):
+                self._broadcast.pace(channel, max(0, notice.rate_hz))
+            else:
+                self._on_notice(notice)
+        except Exception:  # a request behind it is still waited for
+            log.exception("a notice could not be taken", notice=said.name)
 
     async def answer(self, asked: dict[str, Any]) -> dict[str, Any]:
         """Handle a request; returns its result or its fault, as ANSWER holds it."""
         name = str(asked.get("name"))
-        handler = self._requests.get(name)
+        kind = REQUESTS.get(name)
+        handler = None if kind is None else self._requests.get(kind)
         try:
             if handler is None:
                 raise GatewayError("internal", f"This vehicle does not know the request '{name}': update the station.")
-            return {"result": await handler(Asker(**(asked.get("by") or {})), dict(asked.get("arguments") or {}))}
+            by = converted(Asker | None, asked.get("by")) or Asker()
+            return {"result": await handler(converted(kind, asked.get("arguments") or {}), by)}
         except GatewayError as error:
             return {"fault": fault_of(error)}
         except Exception as error:

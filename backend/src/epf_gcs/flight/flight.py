@@ -11,12 +11,13 @@ import asyncio
 import contextlib
 from collections.abc import AsyncIterator
 from pathlib import Path
-from typing import Any
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
-from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import VehicleEnd
+from epf_gcs.contract.alarm_ids import AlarmId
+from epf_gcs.contract.hello import ControlHolder, Hello
+from epf_gcs.contract.status import Status
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
@@ -53,7 +54,6 @@ from epf_gcs.flight.state.lines import Lines, LinkOpener
 from epf_gcs.flight.state.status import StatusSources, build_status
 from epf_gcs.flight.state.watch import Watch
 from epf_gcs.repeating import Repeating, keep_alive, log_and_count_failures
-from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.surroundings import ToldSurroundings
@@ -235,7 +235,7 @@ class Flight:
         self.board.on_restarted = self._on_restarted
         self.commands.on_done = self.rearming.command_done
         self.alarms.on_acknowledged = self._on_acknowledged
-        self.alarms.on_news = lambda news, alarm: self._log.alarm(news, alarm.as_dict())
+        self.alarms.on_news = lambda news, alarm: self._log.alarm(news, alarm.state)
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
@@ -279,7 +279,7 @@ class Flight:
             for kept in (self.journal, self._alarm_history, self.memory):
                 await asyncio.to_thread(kept.close)
 
-    def status(self) -> dict[str, Any]:
+    def status(self) -> Status:
         """The status of all parts now."""
         return build_status(self._status_sources)
 
@@ -287,15 +287,15 @@ class Flight:
         """Send the status now, not at the next half-second tick."""
         self._sending.arm()
 
-    def _hello(self) -> dict[str, Any]:
+    def _hello(self) -> Hello:
         holder = self.stick.last_holder
-        return {
-            "version": __version__,
-            "vehicle": "live",
-            "clock_offset_ns": self.clock.offset_ns,
-            "control": None if holder is None else {**client_fields(holder), "about": holder.about},
-            "status": self.status(),
-        }
+        return Hello(
+            __version__,
+            "live",
+            self.status(),
+            clock_offset_ns=self.clock.offset_ns,
+            control=None if holder is None else ControlHolder(holder.id, holder.name, holder.about),
+        )
 
     def _send_status(self) -> None:
         if self.outlet.has_listeners:

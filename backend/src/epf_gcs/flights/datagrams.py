@@ -76,7 +76,7 @@ class Datagrams:
 
     def begin(self, profile: str) -> None:
         """A simulator of this profile begins: forget the earlier one's rows."""
-        self._samples.begin(profile if profile in XPLANE_ROWS else "xp10")
+        self._samples.begin("xp12" if profile == "xp12" else "xp10")
 
     def take(self, messages: Messages) -> Shown:
         """Read datagrams (all of the simulator's channel). Never raises, whatever they hold."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
@@ -17,7 +18,7 @@ from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import SUMMARY, Stamp
 from epf_gcs.units import M_PER_FT, M_PER_NM
-from epf_gcs.vehicle.noted import identity_of
+from epf_gcs.vehicle.noted import newest_identity
 
 VERSION: Final = 1
 """Said again in `library/library.py`: summaries of another version are made anew."""
@@ -38,17 +39,13 @@ def summarise(flight: FlightData, events: list[Event]) -> dict[str, Any]:
     """Everything of the row that is made from samples, events and notes. Raises OSError, RecordingError."""
     place = _places(flight)
     kinds = [event["kind"] for event in events]
-    identity = {"board": None, "firmware": None, "station": None, "aircraft": None, "operator": None, "emulated": False}
-    for note in flight.notes():
-        if note.name == notes.IDENTITY:
-            newer = identity_of(note.content)
-            identity = {name: newer[name] or identity[name] for name in identity}
+    identity = newest_identity(note.content for note in flight.notes() if note.name == notes.IDENTITY)
     clock = _clock(flight)
     return {
         **clock,
         "started_ns": flight.start_ns,
         "ended_ns": flight.end_ns,
-        **identity,
+        **asdict(identity),
         "highest_ft": None if place is None else _extreme(place[3]),
         "fastest_kt": _fastest_kt(flight),
         "distance_nm": None if place is None else _distance_nm(*place[:3]),

@@ -13,14 +13,15 @@ from typing import Any, Final, Literal, TypeVar
 import structlog
 
 from epf_gcs.clock import Clock
+from epf_gcs.contract.answers import DiskPolicy
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.extras import FLIGHTS
 from epf_gcs.library.about import About
-from epf_gcs.library.aircraft import AircraftName
+from epf_gcs.library.aircraft import AircraftNameChoice
 from epf_gcs.library.folder import Deleted, FlightFolder
 from epf_gcs.library.jobs import Job, Jobs
 from epf_gcs.library.library import Library, Row, Wanted
-from epf_gcs.library.policy import Policy, PolicyChoice
+from epf_gcs.library.policy import PolicyChoice
 from epf_gcs.recordings.places import Places
 
 # How often the folder is looked at for what other programs put there or took away.
@@ -55,7 +56,7 @@ class Flights:
         jobs: Jobs,
         clock: Clock,
         policy: PolicyChoice,
-        aircraft: AircraftName,
+        aircraft: AircraftNameChoice,
         growing: Callable[[], str | None],
         is_known: Callable[[], bool],
         looked_at: Callable[[], set[str]],
@@ -192,11 +193,11 @@ class Flights:
         """The flight with this content; None if there is none."""
         return await self.in_thread(self._library.with_fingerprint, fingerprint)
 
-    async def policy(self) -> Policy:
+    async def policy(self) -> DiskPolicy:
         """What happens when the disk fills."""
         return await self._policy.now()
 
-    async def set_policy(self, policy: Policy) -> None:
+    async def set_policy(self, policy: DiskPolicy) -> None:
         """Choose what happens when the disk fills. Raises GatewayError while the flight process is away."""
         await self._policy.choose(policy)
         self._room_at_s = 0.0

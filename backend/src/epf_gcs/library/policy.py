@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
-from dataclasses import asdict, dataclass
-from typing import Any, Final
+from collections.abc import Awaitable
+from typing import Protocol
 
+from epf_gcs.contract.answers import DiskPolicy
+from epf_gcs.contract.requests import AnswerT_co, ChooseDiskPolicy, Request
 from epf_gcs.errors import GatewayError
 
-_KEEP_FREE_BYTES: Final = 1_000_000_000
 
-Ask = Callable[..., Awaitable[Any]]
-"""Asks the flight process: a request's name and its arguments. Raises GatewayError."""
+class Ask(Protocol):
+    """Asks the flight process. Raises GatewayError."""
 
-
-@dataclass(frozen=True, slots=True)
-class Policy:
-    """With `delete_oldest`, the bin and then the oldest flights that are not pinned are deleted for good until
-    `keep_free_bytes` are free; without, recording stops there."""
-
-    delete_oldest: bool = False
-    keep_free_bytes: int = _KEEP_FREE_BYTES
+    def __call__(self, request: Request[AnswerT_co], /) -> Awaitable[AnswerT_co]:
+        """The request's answer."""
 
 
 class PolicyChoice:
@@ -28,21 +22,17 @@ class PolicyChoice:
 
     def __init__(self, ask: Ask) -> None:
         self._ask = ask
-        self._known: Policy | None = None
+        self._known: DiskPolicy | None = None
 
-    async def now(self) -> Policy:
+    async def now(self) -> DiskPolicy:
         """The choice."""
         if self._known is None:
             try:
-                self._known = _policy(await self._ask("recording.policy", None))
+                self._known = await self._ask(ChooseDiskPolicy())
             except GatewayError:
-                return Policy()
+                return DiskPolicy()
         return self._known
 
-    async def choose(self, policy: Policy) -> None:
+    async def choose(self, policy: DiskPolicy) -> None:
         """Change it. Raises GatewayError while the flight process is away."""
-        self._known = _policy(await self._ask("recording.policy", None, **asdict(policy)))
-
-
-def _policy(answer: Any) -> Policy:
-    return Policy(answer["delete_oldest"], answer["keep_free_bytes"])
+        self._known = await self._ask(ChooseDiskPolicy(policy.delete_oldest, policy.keep_free_bytes))

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import asdict
 from typing import Any
 
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import Finding, Line, Loop
 from epf_gcs.vehicle.outside import Outlet
@@ -29,18 +31,18 @@ class JudgedAlarms:
         """Judge this moment; alarms that come and go are events."""
         self._alarms.look(self._clock.now_s())
 
-    def listed(self) -> list[dict[str, Any]]:
+    def listed(self) -> list[AlarmState]:
         """What is or was wrong, oldest first. Nobody acknowledged anything."""
-        return [alarm.as_dict() for alarm in self._alarms.active]
+        return [alarm.state for alarm in self._alarms.active]
 
     def kept(self) -> dict[str, Any]:
         """Plain values for `restore`."""
-        return {"watch": self._watch.kept(), "alarms": self.listed()}
+        return {"watch": self._watch.kept(), "alarms": [asdict(alarm) for alarm in self.listed()]}
 
     def restore(self, kept: Mapping[str, Any]) -> None:
         """Go on from what `kept` gave."""
         self._watch.restore(kept["watch"])
-        self._alarms.restore(kept["alarms"])
+        self._alarms.restore(AlarmState(**alarm) for alarm in kept["alarms"])
 
     def _find(self, limits: Mapping[str, float]) -> list[Finding]:
         line = self._line()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
@@ -45,13 +46,14 @@ class Known:
         lines: dict[str, dict[str, Any]] = self.now["lines"]
         return lines
 
-    def period_s(self, rate_command: str) -> float:
-        """The period of a task of the board, as it was commanded by then, or the board's own."""
-        return Wanted(periods_ms=self.now["periods_ms"]).period_s(rate_command)
+    @property
+    def wanted(self) -> Wanted:
+        """The periods of the board's tasks that were commanded by then."""
+        return Wanted(periods_ms=self.now["periods_ms"])
 
-    def alarms(self) -> list[dict[str, Any]]:
+    def alarms(self) -> list[AlarmState]:
         """The alarms listed at that moment, oldest first."""
-        return sorted(self.now["alarms"].values(), key=lambda alarm: float(alarm.get("since_s") or 0.0))
+        return sorted(map(_alarm_state, self.now["alarms"].values()), key=lambda alarm: alarm.since_s)
 
     def event(self, kind: str) -> dict[str, Any]:
         """The newest event of this kind, empty if there was none."""
@@ -112,3 +114,15 @@ class Known:
             return None
         self.now["periods_ms"] = {**self.now["periods_ms"], name: int(value[0])}
         return str(name)
+
+
+def _alarm_state(noted: Mapping[str, Any]) -> AlarmState:
+    return AlarmState(
+        id=noted["id"],
+        level="critical" if noted.get("level") == "critical" else "warning",
+        since_s=float(noted.get("since_s") or 0.0),
+        until_s=noted.get("until_s"),
+        text=str(noted.get("text")),
+        params=noted.get("params") or {},
+        acknowledged=noted.get("acknowledged") is True,
+    )

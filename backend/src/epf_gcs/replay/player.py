@@ -9,6 +9,8 @@ import math
 from collections.abc import Mapping
 from typing import Any, Final, Literal, Protocol
 
+from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.status import Status
 from epf_gcs.replay.keys import EVERY_NS, Keys
 from epf_gcs.replay.outlet import ReplayOutlet, Sink
 from epf_gcs.replay.pace import Pace
@@ -43,10 +45,10 @@ _LONGEST_TURN_S: Final = 0.05
 class Audience(Sink, Protocol):
     """Who is shown the replay."""
 
-    def status(self, status: Mapping[str, Any]) -> None:
+    def status(self, status: Status) -> None:
         """The state of the flight at that moment."""
 
-    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
+    def playback(self, playback: Playback, *, with_samples: bool = False) -> None:
         """Where the replay is, and whether it plays; at once, or with the samples of the next `flush`."""
 
 
@@ -153,24 +155,24 @@ class Player:
             return 0.0
         return self._tell(now_s)
 
-    def playback(self) -> dict[str, Any]:
-        """Where the replay is. `jumps` counts the times it went elsewhere: values from before one are of no use."""
+    def playback(self) -> Playback:
+        """Where the replay is."""
         t_ns = self._head.clock.t_ns
         state: State = "ended" if self._has_ended else "playing" if self._pace.is_playing else "paused"
         length_s = self._at_s(self._timeline.edge_ns)
-        return {
-            "flight": self._flight,
-            "at_s": self._at_s(t_ns),
-            "t_s": t_ns * 1e-9,
-            "state": state,
-            "rate": self._pace.rate,
-            "loop": None if self._loop is None else [self._at_s(moment) for moment in self._loop],
-            "duration_s": length_s,
-            "edge_s": length_s,
-            "jumps": self._jumps,
-        }
+        return Playback(
+            flight=self._flight,
+            at_s=self._at_s(t_ns),
+            t_s=t_ns * 1e-9,
+            state=state,
+            rate=self._pace.rate,
+            loop=None if self._loop is None else (self._at_s(self._loop[0]), self._at_s(self._loop[1])),
+            duration_s=length_s,
+            edge_s=length_s,
+            jumps=self._jumps,
+        )
 
-    def status(self) -> dict[str, Any]:
+    def status(self) -> Status:
         """The flight's state at the moment shown."""
         return build_status(self._head, f"{self._flight}.mcap", self._timeline.size)
 

@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
@@ -90,7 +91,7 @@ class Playhead:
             self._restore(kept)
 
     @property
-    def alarms(self) -> list[dict[str, Any]]:
+    def alarms(self) -> list[AlarmState]:
         """The alarms listed at the moment, oldest first: as they were noted, or judged anew if nothing was noted."""
         return self.known.alarms() if self._judged is None else self._judged.listed()
 
@@ -338,7 +339,7 @@ class Playhead:
         return self.vehicle.board.frames_received + self.vehicle.simulator.datagrams
 
     def _period_s(self, rate_command: str) -> float:
-        return self.known.period_s(rate_command)
+        return self.known.wanted.period_s(rate_command)
 
     @staticmethod
     def _after(t_ns: int) -> int:

@@ -6,12 +6,19 @@ import asyncio
 import math
 from collections.abc import Callable
 from time import monotonic
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import Asker
-from epf_gcs.bus.vehicle_end import Broadcast, Handler, VehicleEnd
+from epf_gcs.bus.vehicle_end import Broadcast, Handlers, VehicleEnd
+from epf_gcs.contract.answers import FlightKnown, Sample
+from epf_gcs.contract.hello import FlightSpan, Hello
+from epf_gcs.contract.inspector import Inspector
+from epf_gcs.contract.notices import Notice
+from epf_gcs.contract.playback import Loop, Pause, Play, Playback, Seek, Step, Taken, Want
+from epf_gcs.contract.requests import ReadInspector, ReadKnown, ReadPlayback, ReadStatus, ReadTelemetry
+from epf_gcs.contract.status import Status
 from epf_gcs.repeating import Repeating
 from epf_gcs.replay.answers import build_inspector, build_known
 from epf_gcs.replay.keys import Keys
@@ -19,6 +26,7 @@ from epf_gcs.replay.player import Player
 from epf_gcs.replay.timeline import Timeline
 
 _REST_S: Final = 3600.0
+_FAR_S: Final = 1e9
 
 
 class Viewing:
@@ -50,7 +58,7 @@ class Viewing:
             hello=self._hello,
             samples=player.samples,
             requests=self._requests(),
-            on_notice=self._notice,
+            on_notice=self._take_notice,
             on_gone=self._gone.set,
         )
         self._hurry()
@@ -89,75 +97,65 @@ class Viewing:
     def _now_s(self) -> float:
         return self._player.head.clock.now_s()
 
-    def _hello(self) -> dict[str, Any]:
+    def _hello(self) -> Hello:
         playback = self._player.playback()
-        return {
-            "version": __version__,
-            "vehicle": "replay",
-            "clock_offset_ns": 0,
-            "control": None,
-            "status": self._player.status(),
-            "playback": playback,
-            "flight": self._flight,
-            "starts_s": (self._timeline.starts_ns or 0) * 1e-9,
-            "duration_s": playback["duration_s"],
-        }
+        starts_s = (self._timeline.starts_ns or 0) * 1e-9
+        return Hello(
+            __version__,
+            "replay",
+            self._player.status(),
+            flight=FlightSpan(self._flight, starts_s, playback.duration_s),
+            playback=playback,
+        )
 
-    def _requests(self) -> dict[str, Handler]:
+    def _requests(self) -> Handlers:
         """What can be asked of the past: only to read."""
         player = self._player
 
-        async def status(_: Asker, __: dict[str, Any]) -> Any:
+        async def read_status(_: ReadStatus, __: Asker) -> Status:
             return player.status()
 
-        async def telemetry(_: Asker, __: dict[str, Any]) -> Any:
+        async def read_telemetry(_: ReadTelemetry, __: Asker) -> dict[str, Sample]:
             return player.head.vehicle.newest()
 
-        async def parameters(_: Asker, __: dict[str, Any]) -> Any:
-            return player.head.known.now["parameters"]
-
-        async def playback(_: Asker, __: dict[str, Any]) -> Any:
+        async def read_playback(_: ReadPlayback, __: Asker) -> Playback:
             return player.playback()
 
-        async def known(_: Asker, __: dict[str, Any]) -> Any:
-            return build_known(player.head, player.playback()["at_s"])
+        async def read_known(_: ReadKnown, __: Asker) -> FlightKnown:
+            return build_known(player.head, player.playback().at_s)
 
-        async def inspector(_: Asker, __: dict[str, Any]) -> Any:
+        async def read_inspector(_: ReadInspector, __: Asker) -> Inspector:
             return build_inspector(player.head)
 
         return {
-            "status": status,
-            "telemetry": telemetry,
-            "parameters.read": parameters,
-            "playback": playback,
-            "known": known,
-            "inspector": inspector,
+            ReadStatus: read_status,
+            ReadTelemetry: read_telemetry,
+            ReadPlayback: read_playback,
+            ReadKnown: read_known,
+            ReadInspector: read_inspector,
         }
 
-    def _notice(self, name: str, arguments: dict[str, Any]) -> None:
-        """play {rate}; pause; seek {at_s}; step {frames}; loop {from_s, to_s} or {}; want {rate_hz}; taken {count}.
-
-        Anything else, and values that are no numbers, are ignored: a replay cannot be commanded.
-        """
+    def _take_notice(self, notice: Notice) -> None:
+        """Play, pause and seek. Anything else, and numbers out of range, are ignored: a replay cannot be commanded."""
         player, now_s = self._player, monotonic()
-        match name, arguments:
-            case "play", {"rate": int() | float() as rate} if math.isfinite(rate):
+        match notice:
+            case Play(rate) if math.isfinite(rate):
                 player.play(now_s, rate)
-            case "pause", _:
+            case Pause():
                 player.pause(now_s)
-            case "seek", {"at_s": int() | float() as at_s} if abs(at_s) < 1e9:
+            case Seek(at_s) if abs(at_s) < _FAR_S:
                 player.seek(now_s, at_s)
-            case "step", {"frames": int(frames)} if frames:
+            case Step(frames) if frames:
                 player.step(now_s, frames)
-            case "loop", {"from_s": int() | float() as from_s, "to_s": int() | float() as to_s} if (
-                abs(from_s) < 1e9 and abs(to_s) < 1e9
+            case Loop(float() | int() as from_s, float() | int() as to_s) if (
+                abs(from_s) < _FAR_S and abs(to_s) < _FAR_S
             ):
                 player.loop((from_s, to_s))
-            case "loop", _:
+            case Loop():
                 player.loop(None)
-            case "want", {"rate_hz": int(rate_hz)}:
+            case Want(rate_hz):
                 player.want(rate_hz)
-            case "taken", {"count": int(count)}:
+            case Taken(count):
                 player.taken(count)
             case _:
                 return

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 
+from epf_gcs.contract.notices import Notice, SurroundingsSeen
+from epf_gcs.contract.surroundings import AircraftAround, SurroundingsState, ThreatAhead, TrackPlace
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.repeating import repeat
 from epf_gcs.surroundings.aircraft import AircraftSurroundings, Seen, Wanted
@@ -20,7 +22,6 @@ from epf_gcs.surroundings.threats import Threat
 from epf_gcs.units import ft_from_m, m_from_ft, mps_from_kt
 from epf_gcs.vehicle.outside import Values
 
-NOTICE: Final = "surroundings"
 _TICK_S: Final = 0.2
 _LOOK_S: Final = 0.5
 _PATH_EVERY: Final = 5
@@ -51,7 +52,7 @@ class Surroundings:
         tiles: Tiles,
         kept: KeptSurroundings,
         now_s: Callable[[], float],
-        notice: Callable[..., None],
+        notice: Callable[[Notice], None],
     ) -> None:
         self._mirror = mirror
         self._ground = Ground(tiles)
@@ -104,9 +105,9 @@ class Surroundings:
         heights_m = await self._ground.read(latitude_deg, longitude_deg)
         return [None if math.isnan(height_m) else ft_from_m(height_m) for height_m in heights_m.tolist()]
 
-    def state(self) -> dict[str, Any]:
+    def state(self) -> SurroundingsState:
         """For the status: what was seen last."""
-        return {which: _shown(seen) for which, seen in self._seen.items()}
+        return SurroundingsState(_shown(self._seen["flight"]), _shown(self._seen["hil"]))
 
     def gather(self) -> None:
         """Take the newest positions."""
@@ -125,7 +126,7 @@ class Surroundings:
                 else aircraft.unseen(now_s)
             )
         # Also while nothing is to be watched: the flight process tells a station that has gone by its silence.
-        self._notice(NOTICE, findings=_findings(self._seen), watched=self._watched(), blind=self._blind())
+        self._notice(SurroundingsSeen(_findings(self._seen), self._watched(), self._blind()))
 
     async def _repeat(self) -> None:
         loop = asyncio.get_running_loop()
@@ -198,7 +199,7 @@ def _numbers(values: Values, *names: str) -> list[float] | None:
     return numbers if len(numbers) == len(names) and all(map(math.isfinite, numbers)) else None
 
 
-def _findings(seen: dict[Which, Seen]) -> list[dict[str, Any]]:
+def _findings(seen: dict[Which, Seen]) -> list[Mapping[str, Any]]:
     """One of each kind: where both aircraft have it, that of the board's."""
     found: dict[str, dict[str, Any]] = {}
     for which, one in seen.items():
@@ -214,32 +215,24 @@ def _finding(name: str, which: Which, threat: Threat) -> dict[str, Any]:
     return {"id": name, "aircraft": which, "what": threat.what, "in_s": threat.in_s}
 
 
-def _shown(seen: Seen) -> dict[str, Any]:
+def _shown(seen: Seen) -> AircraftAround:
     path = seen.path
     every = slice(None, None, _PATH_EVERY)
     places = [] if path is None else zip(path.latitude_deg[every], path.longitude_deg[every], strict=True)
-    return {
-        "blind": seen.blind,
-        "ground_ft": None if seen.ground_m is None else ft_from_m(seen.ground_m),
-        "height_ft": None if seen.height_m is None else ft_from_m(seen.height_m),
-        "terrain": _threat(seen.terrain),
-        "fence": _threat(seen.fence),
-        "outside": seen.outside,
-        "path": [{"latitude_deg": float(north), "longitude_deg": float(east)} for north, east in places],
-    }
+    return AircraftAround(
+        blind=seen.blind,
+        ground_ft=None if seen.ground_m is None else ft_from_m(seen.ground_m),
+        height_ft=None if seen.height_m is None else ft_from_m(seen.height_m),
+        terrain=_threat(seen.terrain),
+        fence=_threat(seen.fence),
+        outside=seen.outside,
+        path=[TrackPlace(float(north), float(east)) for north, east in places],
+    )
 
 
-def _threat(threat: Threat | None) -> dict[str, Any] | None:
+def _threat(threat: Threat | None) -> ThreatAhead | None:
     if threat is None:
         return None
-    return {
-        "what": threat.what,
-        "in_s": threat.in_s,
-        "latitude_deg": threat.latitude_deg,
-        "longitude_deg": threat.longitude_deg,
-        "altitude_ft": ft_from_m(threat.altitude_m),
-    }
-
-
-NOTHING_SEEN: Final[dict[str, Any]] = {"flight": _shown(Seen()), "hil": _shown(Seen())}
-"""For flights of the past: what was around them then is not known."""
+    return ThreatAhead(
+        threat.what, threat.in_s, threat.latitude_deg, threat.longitude_deg, ft_from_m(threat.altitude_m)
+    )

@@ -6,20 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Final, Literal, NamedTuple
 
-Code = Literal[
-    "baud_wrong",
-    "foreign_datagrams",
-    "frames_damaged",
-    "line_full",
-    "no_heartbeat",
-    "round_trip_long",
-    "row_missing",
-    "servo_rate_high",
-    "simulator_silent",
-    "stream_slow",
-    "streams_slow",
-]
-Level = Literal["info", "warning"]
+from epf_gcs.contract.inspector import AdviceState
 
 _FULL_PERCENT: Final = 90.0
 # Advise a lower servo rate only if the servo frames take a large part of a full line.
@@ -48,16 +35,6 @@ class Stream(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Advice:
-    """A hint with the values in it."""
-
-    code: Code
-    level: Level
-    text: str
-    params: dict[str, str | int | float | bool | None]
-
-
-@dataclass(frozen=True, slots=True)
 class Observed:
     """All that advice is made from; None or empty: unknown, or no problem.
 
@@ -81,51 +58,51 @@ class Observed:
     round_trip_p99_ms: float | None = None
 
 
-def advice(observed: Observed) -> list[Advice]:
+def advice(observed: Observed) -> list[AdviceState]:
     """All hints that apply, warnings first."""
     found = [one for look in _LOOKS for one in look(observed)]
     return sorted(found, key=lambda one: one.level != "warning")
 
 
-def _look_at_board(observed: Observed) -> Iterator[Advice]:
+def _look_at_board(observed: Observed) -> Iterator[AdviceState]:
     baud, target = observed.rubbish_at_baud, observed.silent_target
     if baud is not None:
         text = f"Only rubbish comes from the board's line at {baud} baud: try another baud rate."
-        yield Advice("baud_wrong", "warning", text, {"baud": baud})
+        yield AdviceState("baud_wrong", "warning", text, {"baud": baud})
     elif target is not None:
         text = f"No heartbeat comes from {target}: check that the board is on, the port and the baud rate."
-        yield Advice("no_heartbeat", "warning", text, {"target": target})
+        yield AdviceState("no_heartbeat", "warning", text, {"target": target})
 
 
-def _look_at_load(observed: Observed) -> Iterator[Advice]:
+def _look_at_load(observed: Observed) -> Iterator[AdviceState]:
     for direction, words, percent in (
         ("rx", "from", observed.rx_percent),
         ("tx", "to", observed.tx_percent),
     ):
         if percent is not None and percent >= _FULL_PERCENT:
             text = f"The line {words} the board is {percent:.0f} % full: lower the rates, or take a faster line."
-            yield Advice("line_full", "warning", text, {"percent": round(percent), "direction": direction})
+            yield AdviceState("line_full", "warning", text, {"percent": round(percent), "direction": direction})
     share = observed.servos_percent
     if share is None or share < _SERVOS_PERCENT or (observed.rx_percent or 0.0) < _FULL_PERCENT:
         return
     ms = observed.servos_ms
     text = f"The servo streams take {share:.0f} % of the line at {ms} ms: lower the servo rate."
-    yield Advice("servo_rate_high", "info", text, {"ms": ms, "percent": round(share)})
+    yield AdviceState("servo_rate_high", "info", text, {"ms": ms, "percent": round(share)})
 
 
-def _look_at_damage(observed: Observed) -> Iterator[Advice]:
+def _look_at_damage(observed: Observed) -> Iterator[AdviceState]:
     if observed.damaged_percent > observed.damaged_limit_percent:
         percent = round(observed.damaged_percent, 1)
         text = f"{percent:g} % of the board's frames are damaged: check baud rate, cable and radio."
-        yield Advice("frames_damaged", "warning", text, {"percent": percent})
+        yield AdviceState("frames_damaged", "warning", text, {"percent": percent})
 
 
-def _look_at_streams(observed: Observed) -> Iterator[Advice]:
+def _look_at_streams(observed: Observed) -> Iterator[AdviceState]:
     slow = [stream for stream in observed.streams if stream.rate_hz < _SLOW * stream.expected_hz]
     if len(slow) >= _TOGETHER:
         listed = ", ".join(f"{topic} {rate_hz:.1f}/{expected_hz:.1f} Hz" for topic, rate_hz, expected_hz in slow)
         text = f"{len(slow)} streams come slower than asked for: {listed}."
-        yield Advice("streams_slow", "info", text, {"number": len(slow), "list": listed})
+        yield AdviceState("streams_slow", "info", text, {"number": len(slow), "list": listed})
         return
     for topic, rate_hz, expected_hz in slow:
         text = f"{topic} comes {rate_hz:.1f} times a second and should come {expected_hz:.1f} times."
@@ -134,32 +111,32 @@ def _look_at_streams(observed: Observed) -> Iterator[Advice]:
             "rate_hz": round(rate_hz, 1),
             "expected_hz": round(expected_hz, 1),
         }
-        yield Advice("stream_slow", "info", text, params)
+        yield AdviceState("stream_slow", "info", text, params)
 
 
-def _look_at_simulator(observed: Observed) -> Iterator[Advice]:
+def _look_at_simulator(observed: Observed) -> Iterator[AdviceState]:
     port = observed.silent_port
     if port is not None:
         text = f"The simulator sends nothing to UDP port {port}: check that it runs, its data output and its address."
-        yield Advice("simulator_silent", "warning", text, {"port": port})
+        yield AdviceState("simulator_silent", "warning", text, {"port": port})
     else:
         for row, name in observed.missing_rows:
             text = f"Row {row} ({name}) is not being sent: tick it in the simulator's data output."
-            level: Level = "info" if row in _REPLACEABLE_ROWS else "warning"
-            yield Advice("row_missing", level, text, {"row": row, "name": name})
+            level: Literal["info", "warning"] = "info" if row in _REPLACEABLE_ROWS else "warning"
+            yield AdviceState("row_missing", level, text, {"row": row, "name": name})
     if observed.strangers:
         text = f"{observed.strangers} datagrams came from another machine and were dropped: correct the simulator's IP."
-        yield Advice("foreign_datagrams", "info", text, {"count": observed.strangers})
+        yield AdviceState("foreign_datagrams", "info", text, {"count": observed.strangers})
 
 
-def _look_at_loop(observed: Observed) -> Iterator[Advice]:
+def _look_at_loop(observed: Observed) -> Iterator[AdviceState]:
     ms = observed.round_trip_p99_ms
     if ms is not None and ms > _LONG_ROUND_TRIP_MS:
         text = f"One in a hundred answers of the HIL loop takes {ms:.0f} ms or longer: lower the rates of the streams."
-        yield Advice("round_trip_long", "warning", text, {"ms": round(ms)})
+        yield AdviceState("round_trip_long", "warning", text, {"ms": round(ms)})
 
 
-_LOOKS: Final[tuple[Callable[[Observed], Iterator[Advice]], ...]] = (
+_LOOKS: Final[tuple[Callable[[Observed], Iterator[AdviceState]], ...]] = (
     _look_at_board,
     _look_at_load,
     _look_at_damage,

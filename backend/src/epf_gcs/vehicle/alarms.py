@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Final, Literal
 
+from epf_gcs.contract.alarm_ids import AlarmId
+from epf_gcs.contract.answers import PastAlarm
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.errors import InvalidInputError, NotFoundError
-from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.thresholds import BY_NAME, chosen, threshold_fault
@@ -30,23 +32,33 @@ class Alarm:
     acknowledged: bool = False
     until_s: float | None = None
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        return {
-            "id": self.finding.id,
-            "level": self.finding.level,
-            "since_s": self.since_s,
-            "until_s": self.until_s,
-            "text": self.finding.text,
-            "params": self.finding.params,
-            "acknowledged": self.acknowledged,
-        }
+    @property
+    def state(self) -> AlarmState:
+        """As the contract has it."""
+        finding = self.finding
+        return AlarmState(
+            finding.id, finding.level, self.since_s, self.until_s, finding.text, finding.params, self.acknowledged
+        )
+
+    @property
+    def past_state(self) -> PastAlarm:
+        """As the contract has one that has ended."""
+        finding = self.finding
+        return PastAlarm(
+            finding.id,
+            finding.level,
+            finding.text,
+            finding.params,
+            self.since_s,
+            self.since_s if self.until_s is None else self.until_s,
+            self.acknowledged,
+        )
 
     @staticmethod
-    def from_dict(values: Mapping[str, Any]) -> Alarm:
-        """The alarm that `as_dict` gave."""
-        finding = Finding(values["id"], values["level"], values["text"], dict(values["params"]))
-        return Alarm(finding, values["since_s"], values["acknowledged"], values["until_s"])
+    def from_state(state: AlarmState) -> Alarm:
+        """The alarm that `state` gave."""
+        finding = Finding(state.id, state.level, state.text, dict(state.params))
+        return Alarm(finding, state.since_s, state.acknowledged, state.until_s)
 
 
 class Alarms:
@@ -110,9 +122,9 @@ class Alarms:
             self._tell(alarm, "went")
         return bool(news or gone)
 
-    def restore(self, listed: Iterable[Mapping[str, Any]]) -> None:
-        """Go on with these alarms (as `Alarm.as_dict` gives them) in place of all others; nothing is announced."""
-        alarms = [Alarm.from_dict(one) for one in listed]
+    def restore(self, listed: Iterable[AlarmState]) -> None:
+        """Go on with these alarms (as `Alarm.state` gives them) in place of all others; nothing is announced."""
+        alarms = [Alarm.from_state(one) for one in listed]
         self._active = {alarm.finding.id: alarm for alarm in alarms if alarm.until_s is None}
         self._recovered = {alarm.finding.id: alarm for alarm in alarms if alarm.until_s is not None}
 
@@ -170,7 +182,7 @@ class Alarms:
             self._on_past(alarm)
 
     def _tell(self, alarm: Alarm, news: News) -> None:
-        self._outlet.event("alarm", {**alarm.as_dict(), "active": alarm.until_s is None})
+        self._outlet.event("alarm", {**asdict(alarm.state), "active": alarm.until_s is None})
         if self.on_news is not None:
             self.on_news(news, alarm)
 

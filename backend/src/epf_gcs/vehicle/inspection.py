@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import TELEMETRY, XPLANE_ROWS
+from epf_gcs.contract.inspector import InspectedFrame, InspectedRow
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
 from epf_gcs.vehicle.telemetry import Telemetry
@@ -50,32 +51,32 @@ def copy_frames(statistics: FrameStatistics, telemetry: Telemetry) -> list[Count
     return known + unknown
 
 
-def inspect_frames(frames: Iterable[CountedFrame], now_s: float) -> list[dict[str, Any]]:
-    """As `epf_gcs.web.interface.inspector.routes.InspectedFrame`; `now_s` is the Unix time of the copy."""
+def inspect_frames(frames: Iterable[CountedFrame], now_s: float) -> list[InspectedFrame]:
+    """`now_s` is the Unix time of the copy."""
     return [
-        {
-            "id": frame.id,
-            "name": frame.name,
-            "damaged": frame.damaged,
-            "stale_after_s": frame.stale_after_s,
-            "values": frame.arrivals.values,
+        InspectedFrame(
+            id=frame.id,
+            name=frame.name,
+            damaged=frame.damaged,
+            stale_after_s=frame.stale_after_s,
+            values=frame.arrivals.values,
             **_measured(frame.arrivals, now_s),
-        }
+        )
         for frame in frames
     ]
 
 
-def inspect_rows(heard: Mapping[int, Arrivals], profile: str, now_s: float) -> list[dict[str, Any]]:
-    """As `epf_gcs.web.interface.inspector.routes.InspectedRow`: all rows of the profile, and those that were heard."""
+def inspect_rows(heard: Mapping[int, Arrivals], profile: str, now_s: float) -> list[InspectedRow]:
+    """All rows of the profile, and those that were heard."""
     definitions = XPLANE_ROWS[profile]
     return [
-        {
-            "row": row,
-            "name": definitions[row].name if row in definitions else f"row_{row}",
-            "expected": row in EXPECTED_ROWS,
-            "values": _finite(heard[row].values) if row in heard else None,
+        InspectedRow(
+            row=row,
+            name=definitions[row].name if row in definitions else f"row_{row}",
+            expected=row in EXPECTED_ROWS,
+            values=_finite(heard[row].values) if row in heard else None,
             **_measured(heard[row] if row in heard else Arrivals(), now_s),
-        }
+        )
         for row in sorted({*definitions, *heard})
     ]
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Final, Literal
 
-from epf_gcs.vehicle.alarm_ids import AlarmId
+from epf_gcs.contract.alarm_ids import AlarmId
 from epf_gcs.vehicle.unusable_value import UnusableValue
 
 Level = Literal["warning", "critical"]
@@ -271,7 +271,7 @@ def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
         elif loop.is_simulator_open and loop.missing_rows:
             text = f"The HIL loop is open: rows {list(loop.missing_rows)} are missing. Tick them in the data output."
         elif loop.is_simulator_open and loop.unusable:
-            text, params = loop.unusable[0].sentence, loop.unusable[0].params
+            text, params = loop.unusable[0].sentence, asdict(loop.unusable[0].state)
         else:
             text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
         return Finding("hil_lost", "critical", text, params)

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Final, Literal
+from typing import Final
 
 from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.codec.tables import Parameter
 from epf_gcs.codec.values import Json, shortest, single
+from epf_gcs.contract.answers import GainState, GainStateName
 from epf_gcs.vehicle.limits import limit_fault
-
-State = Literal["unknown", "loaded", "pending", "confirmed", "rejected"]
 
 BY_NAME: Final[Mapping[str, Parameter]] = {parameter.name: parameter for parameter in PARAMETERS}
 
@@ -26,7 +25,7 @@ class Held:
     """
 
     value: float | None = None
-    state: State = "unknown"
+    state: GainStateName = "unknown"
     loaded: float | None = None
 
 
@@ -50,7 +49,7 @@ def forgotten(held: Held17, names: Iterable[str]) -> Held17:
     return {name: replace(one, value=None, state="unknown") if name in gone else one for name, one in held.items()}
 
 
-def with_state(held: Held17, names: Mapping[str, object], state: State) -> Held17:
+def with_state(held: Held17, names: Mapping[str, object], state: GainStateName) -> Held17:
     """The same values, with this state for `names`."""
     return {name: replace(one, state=state) if name in names else one for name, one in held.items()}
 
@@ -65,13 +64,13 @@ def as_held(name: str, value: float) -> float:
     return value if BY_NAME[name].is_integer else shortest(single(value))
 
 
-def as_values(name: str, one: Held) -> dict[str, float | str | None]:
-    """Value, state and loaded value of a gain, as the stream and the interface give them."""
-    return {
-        "value": None if one.value is None else shown(name, one.value),
-        "state": one.state,
-        "loaded": None if one.loaded is None else shown(name, one.loaded),
-    }
+def gain_state(name: str, one: Held) -> GainState:
+    """A gain as the stream and the interface give it."""
+    return GainState(
+        None if one.value is None else shown(name, one.value),
+        one.state,
+        None if one.loaded is None else shown(name, one.loaded),
+    )
 
 
 def shown(name: str, value: float) -> float:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import NO_VALUE, XPLANE_ROWS
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.xplane.mapping import in_our_unit
 
@@ -40,7 +41,7 @@ _AGREEING: Final = 3
 _FASTEST_RATE: Final = 2300.0
 _LARGEST_ANGLE_DEG: Final = 720.0
 
-PROFILE_NAMES: Final = {"xp10": "X-Plane 10 / 11", "xp12": "X-Plane 12"}
+PROFILE_NAMES: Final[Mapping[str, str]] = {"xp10": "X-Plane 10 / 11", "xp12": "X-Plane 12"}
 """As X-Plane's users and the page call them."""
 
 _STILL: Final[Vector] = (0.0, 0.0, 0.0)
@@ -54,16 +55,16 @@ class ProfileJudge:
     """
 
     def __init__(self) -> None:
-        self.fits: str | None = None
+        self.fits: SimulatorProfile | None = None
         self._rates: Sequence[float] | None = None
         self._attitude: Sequence[float] | None = None
         self._heard_s: float | None = None
         self._before: tuple[float, Sequence[float], Quaternion] | None = None
-        self._leaning: str | None = None
+        self._leaning: SimulatorProfile | None = None
         self._agreeing = 0
         self._began_s = 0.0
         self._turned: Vector = _STILL
-        self._told: dict[str, Vector] = {}
+        self._told: dict[SimulatorProfile, Vector] = {}
 
     def take(self, row: int, values: Sequence[float], t_s: float) -> None:
         """One of the two rows came at Unix time `t_s`."""
@@ -201,4 +202,7 @@ def _places(profile: str) -> tuple[tuple[int, float], ...]:
     return tuple(named[name] for name in ("p_rad_s", "q_rad_s", "r_rad_s"))
 
 
-_RATES: Final[Mapping[str, tuple[tuple[int, float], ...]]] = {profile: _places(profile) for profile in XPLANE_ROWS}
+_RATES: Final[Mapping[SimulatorProfile, tuple[tuple[int, float], ...]]] = {
+    "xp10": _places("xp10"),
+    "xp12": _places("xp12"),
+}

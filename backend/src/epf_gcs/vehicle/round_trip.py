@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 from typing import Final
+
+from epf_gcs.contract.status import RoundTripMs
 
 _KEPT: Final = 512
 # A question unanswered for this long was lost on the line: the loop itself counts as lost at 250 ms.
 _FORGET_S: Final = 0.5
-
-
-@dataclass(frozen=True, slots=True)
-class RoundTripSummary:
-    """Milliseconds; None before the first answer. p50 and p99 are of the last 512 answers."""
-
-    newest: float | None
-    p50: float | None
-    p99: float | None
 
 
 class RoundTrip:
@@ -68,13 +60,13 @@ class RoundTrip:
         self._last_answer_s = self._last_asked_s = None
         self.answers = 0
 
-    def summary(self) -> RoundTripSummary:
+    def summary(self) -> RoundTripMs:
         """Newest, median and 99th percentile."""
         if not self._answers_ms:
-            return RoundTripSummary(None, None, None)
+            return RoundTripMs()
         ordered = sorted(self._answers_ms)
         last = len(ordered) - 1
-        return RoundTripSummary(self._answers_ms[-1], ordered[last // 2], ordered[round(last * 0.99)])
+        return RoundTripMs(self._answers_ms[-1], ordered[last // 2], ordered[round(last * 0.99)])
 
     def _lost_before(self, now_s: float) -> int:
         if self._last_answer_s is None or self._period_s <= 0:

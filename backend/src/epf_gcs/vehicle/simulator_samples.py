@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Final, NamedTuple, Protocol, cast
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.pace_judge import POSITION_ROW, SPEED_ROW, PaceJudge
@@ -51,7 +52,7 @@ class SimulatorSamples:
 
     def __init__(self, telemetry: Samples) -> None:
         self._telemetry = telemetry
-        self._profile = "xp10"
+        self._profile: SimulatorProfile = "xp10"
         self._gatherer = Gatherer(self._profile)
         self._whole_frames = WholeFrames(self._profile)
         self._rows: dict[int, Arrivals] = {}
@@ -68,11 +69,11 @@ class SimulatorSamples:
         return self._rows
 
     @property
-    def profile(self) -> str:
+    def profile(self) -> SimulatorProfile:
         """Which generation of the simulator the rows are read as."""
         return self._profile
 
-    def begin(self, profile: str) -> None:
+    def begin(self, profile: SimulatorProfile) -> None:
         """Another simulator: forget the earlier one's data."""
         self._profile = profile
         self._gatherer = Gatherer(profile)
@@ -86,7 +87,7 @@ class SimulatorSamples:
         self._begin_judging()
 
     @property
-    def fitting_profile(self) -> str | None:
+    def fitting_profile(self) -> SimulatorProfile | None:
         """The generation of the simulator that its rows are of; None while they have not said."""
         return self._profile_judge.fits
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from epf_gcs.vehicle.alarm_ids import AlarmId
+from epf_gcs.contract.alarm_ids import AlarmId
 from epf_gcs.vehicle.judges import Finding, Level
 
 LASTS_S: Final = 1.5

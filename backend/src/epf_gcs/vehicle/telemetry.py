@@ -12,6 +12,7 @@ from typing import Any, Final, NamedTuple
 
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Meaning, meaning
+from epf_gcs.contract import answers, status
 from epf_gcs.vehicle.health import ANSWERS, TASK_OF_TOPIC, TopicHealth
 from epf_gcs.vehicle.outside import Clock, Outlet, Values
 
@@ -150,22 +151,22 @@ class Telemetry:
         """Commanded period of this topic; None if no task of the board sends it."""
         return self._commanded_period_s(TASK_OF_TOPIC[topic]) if topic in _TASK_TOPICS else None
 
-    def snapshot(self, frozen: frozenset[str] = frozenset()) -> dict[str, dict[str, Any]]:
+    def snapshot(self, frozen: frozenset[str] = frozenset()) -> dict[str, answers.Sample]:
         """The newest sample of every topic with its age, for a single request (viewers get a stream). The `frozen`
         topics arrive, but their values stand still: none of them is live."""
         now_s = self._clock.now_s()
         return {
-            topic: {
-                "t_s": sample.t_s,
-                "age_s": now_s - sample.t_s,
-                "stale": topic in frozen or self._is_stale(topic, self._health[topic], now_s),
-                "values": sample.values,
-            }
+            topic: answers.Sample(
+                t_s=sample.t_s,
+                age_s=now_s - sample.t_s,
+                stale=topic in frozen or self._is_stale(topic, self._health[topic], now_s),
+                values=sample.values,
+            )
             for topic, sample in self.samples().items()
             if topic in self._health
         }
 
-    def summary(self) -> dict[str, dict[str, Any]]:
+    def summary(self) -> dict[str, status.TopicHealth]:
         """How well each topic arrives."""
         now_s = self._clock.now_s()
         return {topic: self._summary(topic, health, now_s) for topic, health in self.health.items()}
@@ -184,15 +185,14 @@ class Telemetry:
         self._newest = {topic: Sample(t_s, values) for topic, t_s, values in kept["newest"]}
         self._health = {topic: TopicHealth.restored(*health) for topic, *health in kept["health"]}
 
-    def _summary(self, topic: str, health: TopicHealth, now_s: float) -> dict[str, Any]:
-        implausible: Mapping[str, int] = health.implausible
-        return {
-            "count": health.count,
-            "rate_hz": round(health.rate_hz(now_s), 2),
-            "age_s": None if health.last_s is None else round(now_s - health.last_s, 3),
-            "stale_after_s": self.stale_after_s(topic),
-            "implausible": implausible,
-        }
+    def _summary(self, topic: str, health: TopicHealth, now_s: float) -> status.TopicHealth:
+        return status.TopicHealth(
+            count=health.count,
+            rate_hz=round(health.rate_hz(now_s), 2),
+            age_s=None if health.last_s is None else round(now_s - health.last_s, 3),
+            stale_after_s=self.stale_after_s(topic),
+            implausible=health.implausible,
+        )
 
     def _is_stale(self, topic: str, health: TopicHealth, now_s: float) -> bool:
         limit_s = self.stale_after_s(topic)

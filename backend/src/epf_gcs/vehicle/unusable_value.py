@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.contract import status
 
 
 class UnusableValue(NamedTuple):
@@ -15,9 +16,9 @@ class UnusableValue(NamedTuple):
     value: float
 
     @property
-    def params(self) -> dict[str, str | int | float | bool | None]:
-        """The values of a sentence; the value as text, for JSON knows no NaN."""
-        return {"row": self.row, "row_name": self._row_name, "name": self.name, "value": f"{self.value:g}"}
+    def state(self) -> status.UnusableValue:
+        """As it is shown; the value as text, for JSON knows no NaN."""
+        return status.UnusableValue(self.row, self._row_name, self.name, f"{self.value:g}")
 
     @property
     def sentence(self) -> str:

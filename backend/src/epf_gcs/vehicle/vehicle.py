@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from epf_gcs.contract.answers import Sample
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
 from epf_gcs.vehicle.board import Board
@@ -39,8 +40,8 @@ class Vehicle:
         if not self.board.is_emulated:
             self._outlet.event(JUMPED, jump.as_event())
 
-    def newest(self) -> dict[str, dict[str, Any]]:
-        """The newest sample of every topic: t_s, age_s, stale, values. Those of a paused simulator are stale."""
+    def newest(self) -> dict[str, Sample]:
+        """The newest sample of every topic with its age. Those of a paused simulator are stale."""
         is_paused = self.simulator.motion.is_paused(self.clock.now_s())
         return self.telemetry.snapshot(SIMULATOR_TOPICS if is_paused else frozenset())
 

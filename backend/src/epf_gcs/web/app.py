@@ -14,6 +14,7 @@ from epf_gcs.access.addresses import own_names
 from epf_gcs.access.admission import Admission
 from epf_gcs.access.limits import CallerLimits
 from epf_gcs.clock import Clock
+from epf_gcs.contract.status import Status
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.maps.outside import Consent
@@ -170,7 +171,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
 def _probes(app: FastAPI, settings: Settings, visitors: Visitors, answers: Counter[int]) -> APIRouter:
     """The routes /health and /metrics."""
 
-    def flight_status() -> dict[str, Any] | None:
+    def flight_status() -> Status | None:
         mirror: VehicleMirror = app.state.mirror
         whole: WholeStatus = app.state.status
         return whole.build() if mirror.is_here else None

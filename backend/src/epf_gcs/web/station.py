@@ -19,9 +19,12 @@ from epf_gcs.access.changes import HolderChanged
 from epf_gcs.access.control import Control
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
+from epf_gcs.contract.hello import ControlHolder
+from epf_gcs.contract.notices import Notice, Pace
+from epf_gcs.contract.requests import ReadInspector
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.fields.fields import Fields
-from epf_gcs.library.aircraft import AircraftName
+from epf_gcs.library.aircraft import AircraftNameChoice
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.imports import FlightImports
 from epf_gcs.library.jobs import Jobs
@@ -75,8 +78,8 @@ class Station:
             Places(data_dir),
             Jobs(self.hub.event),
             self.clock,
-            PolicyChoice(self.vehicle.request),
-            AircraftName(self.vehicle.request),
+            PolicyChoice(self.vehicle.ask),
+            AircraftNameChoice(self.vehicle.ask),
             self._growing,
             lambda: self.mirror.is_here,
             lambda: self.replays.flights,
@@ -96,7 +99,7 @@ class Station:
             "tracks": self.tracks,
             "maps": self.maps,
             "fields": self.fields,
-            "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
+            "inspector": SharedInspector(lambda: self.vehicle.ask(ReadInspector()), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
             "flights": self.flights,
             "flight_queries": self.queries,
@@ -172,32 +175,32 @@ class Station:
 
     def _growing(self) -> str | None:
         """The id of the flight that is being recorded."""
-        recording = self.mirror.status["recording"]
-        return str(recording["file"]).removesuffix(".mcap") if recording["active"] else None
+        recording = self.mirror.status.recording
+        return str(recording.file).removesuffix(".mcap") if recording.active else None
 
     def _rate_changed(self, rate_hz: int) -> None:
-        self.vehicle.pace(rate_hz)
+        self.vehicle.notice(Pace(rate_hz))
 
     def _status_changed(self) -> None:
         self.tracks.status_changed()
         self.flights.status_changed()
         self.status.changed()
 
-    def _vehicle_here(self, holder: dict[str, Any] | None) -> None:
+    def _vehicle_here(self, holder: ControlHolder | None) -> None:
         """Agree on who has control: the process that was restarted learns it from the other one."""
         if holder is not None:
             self.control.restore(holder)
         self.control.tell_flight()
-        self.vehicle.pace(self.hub.rate_hz)
+        self.vehicle.notice(Pace(self.hub.rate_hz))
         self._here.set()
 
     def event(self, kind: str, data: dict[str, Any]) -> None:
         """For `Control`: tell all viewers."""
         self.hub.event(kind, data)
 
-    def notice(self, name: str, /, **arguments: Any) -> None:
+    def notice(self, notice: Notice) -> None:
         """For `Control`: tell the flight process."""
-        self.vehicle.notice(name, **arguments)
+        self.vehicle.notice(notice)
 
     def changed(self) -> None:
         """For `Control`: the status is another one."""

@@ -10,11 +10,11 @@ import pytest
 
 from epf_gcs.codec.ahrs_test import QUIT, SYNCHRONISED
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
+from epf_gcs.contract.answers import CommandOutcome
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.board import ahrs_test
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun, Stage
-from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.vehicle.vehicle import Vehicle
 from tests.support.held import HeldClock, HeldLine, open_session
 from tests.support.outlet import KeptOutlet
@@ -56,7 +56,7 @@ class World:
         self.clock.time_s += seconds
         self.run.tick()
 
-    async def begins(self) -> asyncio.Task[CommandResult]:
+    async def begins(self) -> asyncio.Task[CommandOutcome]:
         """The board agreed, and has sent no attitude yet."""
         task = asyncio.create_task(self.run.start())
         await eventually_async(lambda: self.board.exclusive_user is self.run, "it has the line")
@@ -64,12 +64,12 @@ class World:
         self.board.on_bytes(SYNCHRONISED)
         return task
 
-    async def runs(self) -> CommandResult:
+    async def runs(self) -> CommandOutcome:
         task = await self.begins()
         self.board.on_bytes(ATTITUDE)
         return await task
 
-    async def ends(self) -> CommandResult:
+    async def ends(self) -> CommandOutcome:
         task = asyncio.create_task(self.run.stop())
         await eventually_async(lambda: self.run.stage == "ending", "it ends")
         self.clock.time_s += 0.5
@@ -80,8 +80,8 @@ class World:
 
 async def test_begin_and_end_are_told_step_by_step_with_the_time_that_they_took() -> None:
     world = World()
-    assert await world.runs() == CommandResult("confirmed", "read_back", 250.0)
-    assert await world.ends() == CommandResult("confirmed", "heartbeat", 500.0)
+    assert await world.runs() == CommandOutcome("confirmed", "read_back", 250.0)
+    assert await world.ends() == CommandOutcome("confirmed", "heartbeat", 500.0)
     assert world.told == ["starting", "running", "ending", "off"]
 
 

@@ -12,9 +12,10 @@ from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import COMMANDS, PARAMETERS
 from epf_gcs.codec.tables import Message
+from epf_gcs.contract.answers import CommandOutcome
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
-from epf_gcs.flight.board.commands import CommandResult, Commands
+from epf_gcs.flight.board.commands import Commands
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.telemetry import Telemetry
 from tests.support.held import ALL_FEATURES, HEARTBEAT, HeldClock, HeldLine, open_session
@@ -65,14 +66,14 @@ class World:
     def says(self, data: bytes) -> None:
         self.board.on_bytes(data)
 
-    def begins(self, name: str, *arguments: float) -> asyncio.Task[CommandResult]:
+    def begins(self, name: str, *arguments: float) -> asyncio.Task[CommandOutcome]:
         return asyncio.create_task(self.commands.run(name, arguments))
 
     async def waits_for(self, *sent: str) -> None:
         await eventually_async(lambda: tuple(self.line.sent) == sent, f"{sent} went out, not {self.line.sent}")
 
 
-async def still_waits(task: asyncio.Task[CommandResult]) -> bool:
+async def still_waits(task: asyncio.Task[CommandOutcome]) -> bool:
     """Whether a command has no end although the loop had time enough to bring it."""
     for _ in range(10):
         await asyncio.sleep(0)
@@ -407,7 +408,7 @@ async def test_a_command_s_time_is_that_from_its_sending_to_its_proof() -> None:
     await world.waits_for("gps_on")
     clock.time_s += 0.25
     world.says(acknowledgement("gps_on"))
-    assert await task == CommandResult("confirmed", "acknowledgement", 250.0)
+    assert await task == CommandOutcome("confirmed", "acknowledgement", 250.0)
 
 
 async def test_an_extended_board_that_acknowledges_nothing_proves_by_its_heartbeat() -> None:
@@ -448,7 +449,7 @@ async def test_the_next_waypoint_is_proved_by_a_plan_that_moved_on() -> None:
 async def test_where_no_plan_is_streamed_the_next_waypoint_is_only_sent() -> None:
     world = LegacyWorld()
     result = await world.commands.run("fms_next_waypoint")
-    assert result == CommandResult("sent", "none", 0.0)
+    assert result == CommandOutcome("sent", "none", 0.0)
     assert world.line.sent == ["fms_next_waypoint"]
 
 

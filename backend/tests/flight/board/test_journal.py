@@ -10,15 +10,16 @@ import orjson
 import pytest
 
 from epf_gcs.clock import Clock
+from epf_gcs.contract.answers import ParameterChange
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.board.journal import Journal
-from epf_gcs.vehicle.journal import Change, Steps
+from epf_gcs.vehicle.journal import Steps
 from tests.support.files import the_one_like
 from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
 
-CHANGE = Change("k_pitch", 2.0, 2.5, "confirmed")
+CHANGE = ParameterChange("k_pitch", 2.0, 2.5, "confirmed")
 
 
 class Told(KeptOutlet):
@@ -43,7 +44,7 @@ async def test_an_entry_says_who_when_and_what_and_is_there_after_a_restart(tmp_
     path = tmp_path / "journal.jsonl"
     journal, _, reported = a_journal(path)
     journal.note("write", [CHANGE], "c1", undoable=True)
-    journal.note("write", [Change("k_roll", None, 3.0, "rejected")], None, undoable=True)
+    journal.note("write", [ParameterChange("k_roll", None, 3.0, "rejected")], None, undoable=True)
     journal.close()
     again, _, _ = a_journal(path)
     newest, first = again.entries
@@ -61,7 +62,7 @@ async def test_viewers_hear_of_each_entry_and_of_what_can_be_undone(tmp_path: Pa
     journal, outlet, _ = a_journal(tmp_path / "journal.jsonl")
     journal.note("write", [CHANGE], "c1", undoable=True)
     (event,) = outlet.events
-    assert event["entry"] == journal.entries[0].as_dict()
+    assert event["entry"] == orjson.loads(orjson.dumps(journal.entries[0]))
     assert event["undo"] == [{"name": "k_pitch", "before": 2.5, "after": 2.0}]
     assert event["redo"] is None
     journal.forget_steps()
@@ -73,7 +74,7 @@ async def test_viewers_hear_of_each_entry_and_of_what_can_be_undone(tmp_path: Pa
 
 async def test_a_write_to_a_board_that_is_gone_is_told_but_cannot_be_undone(tmp_path: Path) -> None:
     journal, _, _ = a_journal(tmp_path / "journal.jsonl")
-    journal.note("write", [Change("k_pitch", 2.0, 2.5, "timed_out")], None, undoable=False)
+    journal.note("write", [ParameterChange("k_pitch", 2.0, 2.5, "timed_out")], None, undoable=False)
     assert [entry.state for entry in journal.entries] == ["timed_out"]
     assert journal.steps.undo is None
     journal.close()

@@ -13,12 +13,11 @@ import pytest
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.codec.frame import Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.contract.answers import CommandOutcome, ParameterMove
 from epf_gcs.errors import BoardError, ConflictError, LinkError
 from epf_gcs.flight.board import commands
-from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
-from epf_gcs.vehicle.journal import Move
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
 
@@ -115,7 +114,7 @@ async def test_a_refused_gain_is_in_the_journal_and_not_to_undo(tmp_path: Path, 
         assert story(station) == [
             ("write", "rejected", [("k_pitch", 2.0, 2.5, "rejected"), ("k_roll", 2.0, 3.0, "confirmed")])
         ]
-        assert station.parameters.journal.steps.undo == (Move("k_roll", 3.0, 2.0),)
+        assert station.parameters.journal.steps.undo == (ParameterMove("k_roll", 3.0, 2.0),)
         assert station.parameters.unconfirmed == ("k_pitch",)
         station.parameters.accept_unconfirmed()
         assert not station.parameters.unconfirmed
@@ -518,7 +517,7 @@ async def test_a_gain_that_is_written_while_the_card_is_writing_is_not_safe_yet(
         await station.parameters.set({"k_pitch": 2.5}, None)
         run = station.commands.run
 
-        async def write_meanwhile(name: str, *arguments: Any, **options: Any) -> CommandResult:
+        async def write_meanwhile(name: str, *arguments: Any, **options: Any) -> CommandOutcome:
             if name == "store_parameters":
                 await station.parameters.set({"k_roll": 3.0}, None)
             return await run(name, *arguments, **options)

@@ -13,6 +13,7 @@ import pytest
 
 from epf_gcs.bus.definition import Asker
 from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.contract.requests import ReadTelemetry
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.link.address import EMULATION, parse_address
@@ -233,13 +234,13 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
 
     def paused(*, raised: bool) -> bool:
         simulator.send(WHOLE)
-        alarms = {alarm["id"] for alarm in station.status()["alarms"] if alarm["until_s"] is None}
-        return station.status()["simulator"]["paused"] and ("simulator_paused" in alarms) == raised
+        alarms = {alarm.id for alarm in station.status().alarms if alarm.until_s is None}
+        return station.status().simulator.paused and ("simulator_paused" in alarms) == raised
 
     await eventually_async(lambda: paused(raised=True), "it is paused, and the alarm comes")
-    assert "hil_lost" not in {alarm["id"] for alarm in station.status()["alarms"]}
-    newest = await station._requests["telemetry"](Asker(), {})
-    assert {topic for topic, one in newest.items() if one["stale"]} >= {"simulator", "xplane_info"}, "not live"
+    assert "hil_lost" not in {alarm.id for alarm in station.status().alarms}
+    newest = await station._requests[ReadTelemetry](ReadTelemetry(), Asker())
+    assert {topic for topic, one in newest.items() if one.stale} >= {"simulator", "xplane_info"}, "not live"
     answers, sent = station.hil.round_trip.answers, station.hil.frames_to_board
     await eventually_async(lambda: paused(raised=True) and station.hil.frames_to_board > sent + 50, "rows go on")
     assert station.hil.round_trip.answers == answers
@@ -250,11 +251,11 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
         moved += 1
         rows = {**ROWS, 17: (2.5 + 0.01 * (moved % 2), *ROWS[17][1:])}
         simulator.send(build(Record(row, values) for row, values in rows.items()))
-        alarms = {alarm["id"] for alarm in station.status()["alarms"] if alarm["until_s"] is None}
-        return "simulator_paused" not in alarms and not station.status()["simulator"]["paused"]
+        alarms = {alarm.id for alarm in station.status().alarms if alarm.until_s is None}
+        return "simulator_paused" not in alarms and not station.status().simulator.paused
 
     await eventually_async(moves, "it flies on, and the alarm goes")
-    newest = await station._requests["telemetry"](Asker(), {})
+    newest = await station._requests[ReadTelemetry](ReadTelemetry(), Asker())
     assert not newest["simulator"]["stale"]
     await eventually_async(lambda: moves() and station.hil.round_trip.answers > answers, "and it is measured again")
 

@@ -13,6 +13,7 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.codec.values import single
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.stick import Stick
@@ -74,7 +75,7 @@ class Loop:
         self.line, self.socket = Line(), Socket()
         self.begin()
 
-    def begin(self, profile: str = "xp10") -> None:
+    def begin(self, profile: SimulatorProfile = "xp10") -> None:
         self.hil.begin(cast(UdpLink, self.socket), profile)
 
     def board(self, *, joystick: bool, is_emulated: bool = False) -> None:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 import structlog
 
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.flight.memory import flight_log
 from epf_gcs.flight.memory.flight_log import FlightLog, say
 from epf_gcs.link.failures import lost_error
 
-ALARM = {"id": "battery_low", "level": "critical", "text": "10.1 V."}
+ALARM = AlarmState("battery_low", "critical", 0.0, None, "10.1 V.", {}, acknowledged=False)
 
 
 class World:
@@ -87,7 +89,7 @@ def test_a_quiet_alarm_does_not_make_another_one_quiet() -> None:
     world = World()
     with structlog.testing.capture_logs() as logged:
         world.log.alarm("came", ALARM)
-        world.log.alarm("came", {**ALARM, "id": "cpu_high"})
+        world.log.alarm("came", replace(ALARM, id="cpu_high"))
         world.log.board_restarted(None)
         world.log.board_restarted(None)
     assert [line.get("alarm") for line in logged] == ["battery_low", "cpu_high", None]
@@ -99,7 +101,7 @@ def test_alarms_come_go_and_are_acknowledged() -> None:
         world.log.alarm("came", ALARM)
         world.log.alarm("acknowledged", ALARM)
         world.log.alarm("went", ALARM)
-        world.log.alarm("came", {**ALARM, "id": "cpu_high", "level": "warning"})
+        world.log.alarm("came", replace(ALARM, id="cpu_high", level="warning"))
         world.log.board_restarted(120)
     assert events(logged) == [
         ("error", "alarm came"),

@@ -10,8 +10,9 @@ import sys
 from functools import partial
 from pathlib import Path
 
+from epf_gcs.contract.answers import DiskPolicy
 from epf_gcs.flight.clock.line_clock import LineClock
-from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
+from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import LOST
 from epf_gcs.recordings.reading import notes_of, read_file
 from epf_gcs.recordings.topics import BOARD_RECEIVED

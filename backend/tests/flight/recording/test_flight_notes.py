@@ -11,11 +11,12 @@ import pytest
 
 from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.contract.answers import AircraftName, DiskPolicy
+from epf_gcs.contract.requests import ChooseDiskPolicy, NameAircraft, SetMark
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.recording.flight_notes import FlightNotes
-from epf_gcs.flight.recording.recorder import DiskPolicy
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, MARK, PARAMETERS, PLAN
 from epf_gcs.recordings.reading import notes_of
@@ -39,14 +40,14 @@ async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, m
     async with flight.running():
         ask = flight._requests
         with pytest.raises(ConflictError, match="nothing is recorded"):
-            await ask["recording.mark"](Asker(), {"text": "too early", "by": None})
+            await ask[SetMark](SetMark("too early"), Asker())
         await flight.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: flight.supervisor.state == "open", "the board opens")
         await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
         await flight.parameters.load(None)
         await flight.missions.read("flight")
         await flight.commands.run("gps_on")
-        mark = await ask["recording.mark"](Asker(), {"text": "aquí", "by": "Ana"})
+        mark = await ask[SetMark](SetMark("aquí", "Ana"), Asker())
         await flight.lines.close_board()
     (file,) = (tmp_path / "recordings").glob("*.mcap")
     notes = notes_of(file)
@@ -65,14 +66,14 @@ async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, m
     commands = [note.content["data"] for note in notes if note.name == EVENT and note.content["event"] == "command"]
     assert ("gps_on", "confirmed") in [(one["name"], one["state"]) for one in commands]
     (marked,) = [note for note in notes if note.name == MARK]
-    assert marked.content == {"text": "aquí", "by": "Ana", "id": mark["id"]}
-    assert marked.t_ns * 1e-9 == mark["t_s"]
+    assert marked.content == {"text": "aquí", "by": "Ana", "id": mark.id}
+    assert marked.t_ns * 1e-9 == mark.t_s
     events = [(note.content["event"], note.t_ns * 1e-9) for note in notes if note.name == EVENT]
     hil = [note.content["data"] for note in notes if note.name == EVENT and note.content["event"] == "hil"]
     assert [one["path"] for one in hil] == ["manual"], "each file begins with it"
     events = [one for one in events if one[0] != "hil"]
     assert set(events) <= set(told), "at the very time that the stations were told"
-    assert ("mark", mark["t_s"]) not in events, "it has a note of its own"
+    assert ("mark", mark.t_s) not in events, "it has a note of its own"
 
 
 async def test_the_person_in_control_is_noted_as_the_operator(tmp_path: Path, board: FakeBoard) -> None:
@@ -127,16 +128,16 @@ async def test_the_disks_policy_is_the_recorders_and_is_remembered(tmp_path: Pat
         pass
     flight = Flight(tmp_path)
     async with flight.running():
-        ask = flight._requests["recording.policy"]
+        ask = flight._requests[ChooseDiskPolicy]
         assert flight.recorder is not None
-        assert await ask(Asker(), {}) == {"delete_oldest": False, "keep_free_bytes": 1_000_000_000}
-        assert await ask(Asker(), {"keep_free_bytes": 5}) == {"delete_oldest": False, "keep_free_bytes": 5}
-        chosen = await ask(Asker(), {"delete_oldest": True})
-        assert chosen == {"delete_oldest": True, "keep_free_bytes": 5}, "what is not given stays"
+        assert await ask(ChooseDiskPolicy(), Asker()) == DiskPolicy()
+        assert await ask(ChooseDiskPolicy(keep_free_bytes=5), Asker()) == DiskPolicy(keep_free_bytes=5)
+        chosen = await ask(ChooseDiskPolicy(delete_oldest=True), Asker())
+        assert chosen == DiskPolicy(delete_oldest=True, keep_free_bytes=5), "what is not given stays"
         assert flight.recorder.policy == DiskPolicy(delete_oldest=True, keep_free_bytes=5)
-        nonsense = await ask(Asker(), {"keep_free_bytes": -1})
-        assert nonsense["keep_free_bytes"] == 1_000_000_000
-        await ask(Asker(), {"keep_free_bytes": 7})
+        nonsense = await ask(ChooseDiskPolicy(keep_free_bytes=-1), Asker())
+        assert nonsense.keep_free_bytes == 1_000_000_000
+        await ask(ChooseDiskPolicy(keep_free_bytes=7), Asker())
     again = Flight(tmp_path)
     assert again.recorder is not None
     assert again.recorder.policy == DiskPolicy(delete_oldest=True, keep_free_bytes=7)
@@ -147,17 +148,17 @@ async def test_the_aircraft_has_the_name_that_a_person_gave_it_before_or_in_flig
 ) -> None:
     before = Flight(tmp_path)
     async with before.running():
-        ask = before._requests["recording.aircraft"]
-        assert await ask(Asker(), {}) == {"name": ""}
-        assert await ask(Asker(), {"name": "Ala fija"}) == {"name": "Ala fija"}
+        ask = before._requests[NameAircraft]
+        assert await ask(NameAircraft(), Asker()) == AircraftName("")
+        assert await ask(NameAircraft("Ala fija"), Asker()) == AircraftName("Ala fija")
     flight = Flight(tmp_path)
     async with flight.running():
-        ask = flight._requests["recording.aircraft"]
-        assert await ask(Asker(), {}) == {"name": "Ala fija"}, "it is remembered"
+        ask = flight._requests[NameAircraft]
+        assert await ask(NameAircraft(), Asker()) == AircraftName("Ala fija"), "it is remembered"
         await flight.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
-        await ask(Asker(), {"name": "Ala fija 2"})
-        await ask(Asker(), {"name": ""})
+        await ask(NameAircraft("Ala fija 2"), Asker())
+        await ask(NameAircraft(""), Asker())
     (file,) = (tmp_path / "recordings").glob("*.mcap")
     names = [note.content["aircraft"] for note in notes_of(file) if note.name == IDENTITY]
     assert [names[0], *names[-2:]] == ["Ala fija", "Ala fija 2", None]
@@ -166,5 +167,5 @@ async def test_the_aircraft_has_the_name_that_a_person_gave_it_before_or_in_flig
 async def test_a_mark_stands_at_the_moment_that_was_meant_and_not_when_its_words_were_typed() -> None:
     clock = SimpleNamespace(now_ns=lambda: 1_000_000_000_000)
     notes = FlightNotes(None, clock)  # type: ignore[arg-type]
-    assert notes.mark("here", None)["t_s"] == pytest.approx(1000.0)
-    assert notes.mark("there", None, ago_s=2.5)["t_s"] == pytest.approx(997.5)
+    assert notes.mark("here", None).t_s == pytest.approx(1000.0)
+    assert notes.mark("there", None, ago_s=2.5).t_s == pytest.approx(997.5)

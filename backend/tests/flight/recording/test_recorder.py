@@ -16,9 +16,10 @@ from mcap.exceptions import EndOfFile
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
+from epf_gcs.contract.answers import DiskPolicy
 from epf_gcs.disk import sync_folder
 from epf_gcs.flight.clock.line_clock import LineClock
-from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
+from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import LINE, LOST, MARK
 from epf_gcs.recordings.reading import notes_of
 from epf_gcs.recordings.topics import TOPICS

@@ -15,11 +15,12 @@ import pytest
 import structlog
 from mcap.reader import make_reader
 
+from epf_gcs.contract.answers import DiskPolicy
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording import recorder as recorder_module
 from epf_gcs.flight.recording import recording_file as recording_file_module
 from epf_gcs.flight.recording import taps as taps_module
-from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
+from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.recordings.mcap_file import message_record
 from epf_gcs.recordings.notes import EVENT, LINE, LOST, Note

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, cast
 
 import pytest
 
+from epf_gcs.contract.inspector import AdviceCode, AdviceState
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.state import advised, inspection
@@ -27,12 +27,12 @@ def watch() -> AdviceWatch:
     return AdviceWatch(cast("InspectorSources", None), cast("Outlet", None))
 
 
-def piece(code: str, **params: Any) -> dict[str, Any]:
-    return {"code": code, "level": "info", "text": code, "params": params}
+def piece(code: AdviceCode, **params: Any) -> AdviceState:
+    return AdviceState(code, "info", code, params)
 
 
-def codes(found: list[Mapping[str, Any]]) -> list[str]:
-    return [one["code"] for one in found]
+def codes(found: list[AdviceState]) -> list[str]:
+    return [one.code for one in found]
 
 
 def test_advice_is_told_when_it_begins_and_not_while_it_lasts() -> None:
@@ -53,7 +53,7 @@ def test_advice_is_told_when_it_begins_and_not_while_it_lasts() -> None:
     ],
 )
 def test_advice_about_something_else_is_told_beside_what_lasts(
-    code: str, about: str, first: object, second: object
+    code: AdviceCode, about: str, first: object, second: object
 ) -> None:
     looks = watch()
     one, other = piece(code, **{about: first}), piece(code, **{about: second})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import orjson
@@ -21,7 +21,7 @@ LOW = Alarm(Finding("battery_low", "critical", "10.1 V.", {"volts": 10.1}), sinc
 
 def _with(name: str, value: object) -> bytes:
     """The line of that alarm with another value."""
-    return orjson.dumps(LOW.as_dict() | {name: value})
+    return orjson.dumps(asdict(LOW.past_state) | {name: value})
 
 
 def a_history(path: Path) -> tuple[AlarmHistory, list[GatewayError]]:
@@ -129,7 +129,7 @@ async def test_alarms_that_began_together_and_one_that_began_again_are_all_there
 )
 async def test_whatever_a_line_says_the_other_alarms_are_there(tmp_path: Path, line: bytes) -> None:
     path = tmp_path / "alarms.jsonl"
-    path.write_bytes(line + b"\n" + orjson.dumps(LOW.as_dict()) + b"\n")
+    path.write_bytes(line + b"\n" + orjson.dumps(asdict(LOW.past_state)) + b"\n")
     history, reported = a_history(path)
     assert history.past == [LOW]
     assert [error.params["reason"] for error in reported] == ["1 of 2 lines make no sense"]
@@ -138,7 +138,7 @@ async def test_whatever_a_line_says_the_other_alarms_are_there(tmp_path: Path, l
 
 async def test_of_a_line_that_another_program_changed_only_what_an_alarm_can_hold_is_taken(tmp_path: Path) -> None:
     path = tmp_path / "alarms.jsonl"
-    odd = orjson.dumps(LOW.as_dict() | {"since_s": 1, "params": {"volts": 10.1, "list": [1]}})
+    odd = orjson.dumps(asdict(LOW.past_state) | {"since_s": 1, "params": {"volts": 10.1, "list": [1]}})
     changed = _with("acknowledged", "yes"), odd
     path.write_bytes(b"\n".join(changed) + b"\n")
     history, reported = a_history(path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import socket
 from collections.abc import AsyncIterator, Iterator
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -92,7 +92,7 @@ def sources(station: Flight) -> InspectorSources:
 
 
 def inspect(station: Flight) -> dict[str, Any]:
-    return build_inspector(take_snapshot(sources(station)))
+    return asdict(build_inspector(take_snapshot(sources(station))))
 
 
 def frames(station: Flight) -> dict[str, dict[str, Any]]:
@@ -216,13 +216,13 @@ async def test_of_a_full_line_the_servo_streams_have_the_share_that_came(tmp_pat
     full = replace(
         snapshot,
         now_s=now_s + 1.98,
-        link={**snapshot.link, "capacity_bytes_per_s": 20_000.0},
+        link=replace(snapshot.link, capacity_bytes_per_s=20_000.0),
         observed=replace(snapshot.observed, rx_percent=95.0),
     )
     servo_bytes_per_s = 50 * (TELEMETRY_BY_NAME["servos_in"].size + 16) + 25 * (
         TELEMETRY_BY_NAME["fly_by_wire"].size + 16
     )
-    found = {one["code"]: one["params"] for one in build_inspector(full)["advice"]}
+    found = {one.code: one.params for one in build_inspector(full).advice}
     assert found["servo_rate_high"] == {"ms": 40, "percent": round(servo_bytes_per_s / 200)}
 
 
@@ -347,7 +347,7 @@ async def test_what_was_copied_stays_as_it_was_while_more_comes(tmp_path: Path) 
     station.board.on_bytes(ahrs)
     station.hil.on_datagram(row)
     await asyncio.sleep(0)
-    now, then = inspect(station), build_inspector(snapshot)
+    now, then = inspect(station), asdict(build_inspector(snapshot))
     for found, count in ((then, 1), (now, 2)):
         assert {frame["count"] for frame in found["board"] if frame["name"] == "ahrs"} == {count}
         assert {one["count"] for one in found["rows"] if one["row"] == 99} == {count}

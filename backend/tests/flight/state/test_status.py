@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 
 from epf_gcs.bus.definition import Client
 from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.contract.status import RecordingState
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, SimulatorAddress
 from epf_gcs.flight.hil.stick import Stick
@@ -46,12 +48,12 @@ class Sink:
 
 
 def board(flight: Flight) -> dict[str, Any]:
-    shown: dict[str, Any] = flight.status()["board"]
+    shown: dict[str, Any] = asdict(flight.status().board)
     return shown
 
 
 def simulator(flight: Flight) -> dict[str, Any]:
-    shown: dict[str, Any] = flight.status()["simulator"]
+    shown: dict[str, Any] = asdict(flight.status().simulator)
     return shown
 
 
@@ -184,24 +186,15 @@ async def test_the_advice_for_a_simulator_is_what_the_operator_can_do_about_it(
 
 
 async def test_the_recording_is_shown_as_it_is_and_without_a_recorder_as_none(tmp_path: Path) -> None:
-    nothing = {
-        "active": False,
-        "file": None,
-        "bytes": 0,
-        "bytes_lost": 0,
-        "failure": None,
-        "free_bytes": None,
-        "hours_left": None,
-    }
-    assert Flight(tmp_path / "without", record=False).status()["recording"] == nothing
+    assert Flight(tmp_path / "without", record=False).status().recording == RecordingState()
     flight = Flight(tmp_path / "with")
     recorder = flight.recorder
     assert recorder is not None
-    assert flight.status()["recording"] == nothing
+    assert flight.status().recording == RecordingState()
     recorder.file = tmp_path / "flight.mcap"
     recorder.bytes_written, recorder.board_tap.lost, recorder.free_bytes = 1000, 20, 3000
     recorder.failure = "no space"
-    assert flight.status()["recording"] == {
+    assert asdict(flight.status().recording) == {
         "active": True,
         "file": "flight.mcap",
         "bytes": 1000,
@@ -224,10 +217,10 @@ async def test_errors_and_topics_are_counted_in_the_status(tmp_path: Path) -> No
     flight.errors.count("link_busy")
     flight.telemetry.take("ahrs", flight.clock.now_s(), {"roll_deg": 1.0}, ["roll_deg"])
     status = flight.status()
-    assert status["errors"] == {"link_busy": 1}
-    assert status["topics"]["ahrs"]["count"] == 1
-    assert status["topics"]["ahrs"]["implausible"] == {"roll_deg": 1}
-    assert abs(status["server_time_s"] - flight.clock.now_s()) < 60
+    assert status.errors == {"link_busy": 1}
+    assert status.topics["ahrs"].count == 1
+    assert status.topics["ahrs"].implausible == {"roll_deg": 1}
+    assert abs(status.server_time_s - flight.clock.now_s()) < 60
 
 
 async def test_the_stick_is_shown_with_whose_gamepad_it_is_and_what_came_of_it(tmp_path: Path) -> None:
@@ -240,7 +233,7 @@ async def test_the_stick_is_shown_with_whose_gamepad_it_is_and_what_came_of_it(t
         "gamepad": None,
         "samples": {},
     }
-    assert flight.status()["hil"] == {"source": None, "path": "manual", "stick": nobody}
+    assert asdict(flight.status().hil) == {"source": None, "path": "manual", "stick": nobody}
     flight.hil.stick = stick = Stick(KeptOutlet(), Standing(), lambda: None)
     ana = Client("c1", "Ana")
     stick.control_changed(ana)
@@ -251,7 +244,7 @@ async def test_the_stick_is_shown_with_whose_gamepad_it_is_and_what_came_of_it(t
     stick.control_changed(None, ana)
     flight.hil.path = "assisted"
     flight.telemetry.take("heartbeat", 1.0, {"source_joystick": True})
-    assert flight.status()["hil"] == {
+    assert asdict(flight.status().hil) == {
         "source": "joystick",
         "path": "assisted",
         "stick": {

@@ -13,14 +13,15 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
+from epf_gcs.contract.answers import FlightKnown
+from epf_gcs.contract.inspector import Inspector
+from epf_gcs.contract.status import Status
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.timeline import Timeline
-from epf_gcs.web.interface.flights.schemas import FlightKnown
-from epf_gcs.web.interface.inspector.routes import Inspector
-from epf_gcs.web.interface.state.schemas import Status
 from epf_gcs.web.replays.replays import MOST_OF_A_HOST
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
+from tests.support.contract import read_as
 from tests.support.gateway import Gateway, Stream, running_gateway
 from tests.support.outlet import KeptOutlet
 from tests.support.programs import children_of, gateway_process
@@ -67,7 +68,7 @@ def test_it_says_hello_as_the_past_and_shows_the_moment(station: Gateway) -> Non
         assert hello["server_time_s"] == pytest.approx(hello["starts_s"] + 5.5)
         assert hello["duration_s"] == pytest.approx(11.96, abs=0.1)
         assert hello["status"]["playback"]["state"] == "paused"
-        Status.model_validate({name: value for name, value in hello["status"].items() if name != "playback"})
+        read_as(Status, {name: value for name, value in hello["status"].items() if name != "playback"})
         batch = stream.next("batch")
         expected = Playhead(Timeline(station.flight_thread.data_dir / "recordings" / f"{ID}.mcap"), Silence())
         expected.advance(STARTS_NS + round(5.5 * SECOND_NS))
@@ -224,7 +225,7 @@ def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: 
         stream.send({"type": "ask", "about": "inspector"})
         first = stream.next("answer")
         assert first["about"] == "inspector"
-        Inspector.model_validate(first["data"])
+        read_as(Inspector, first["data"])
         stream.send({"type": "seek", "at_s": 10})
         while stream.next("playback")["at_s"] < 10:
             pass
@@ -235,7 +236,7 @@ def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: 
         assert later["t_s"] == pytest.approx(first["data"]["t_s"] + 5.0)
         assert later["link"]["round_trips"] is None
         stream.send({"type": "ask", "about": "known"})
-        known = FlightKnown.model_validate(stream.next("answer")["data"])
+        known = read_as(FlightKnown, stream.next("answer")["data"])
         assert known.at_s == pytest.approx(10.0)
         assert known.parameters is None, "nobody noted a gain"
         stream.send({"type": "ask", "about": "secrets"})

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from typing import Final, Literal
 
 from epf_gcs.clock import Clock
+from epf_gcs.contract.answers import CommandOutcome
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
-from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.vehicle import Vehicle
 
@@ -59,7 +59,7 @@ class AhrsTestRun:
             return "running" if self._has_record else "starting"
         return "ending" if self._is_ending else "off"
 
-    async def start(self) -> CommandResult:
+    async def start(self) -> CommandOutcome:
         """Begin and wait for the first record. Raises ConflictError if the board cannot run the test now."""
         async with self._lock:
             started_s = self._clock.steady_s()
@@ -77,7 +77,7 @@ class AhrsTestRun:
             self._changed()
             return self._result(started_s, done=done, by="read_back")
 
-    async def stop(self) -> CommandResult:
+    async def stop(self) -> CommandOutcome:
         """End and wait until the board speaks frames again."""
         async with self._lock:
             started_s = self._clock.steady_s()
@@ -149,6 +149,6 @@ class AhrsTestRun:
         except TimeoutError:
             return
 
-    def _result(self, started_s: float, *, done: bool, by: Literal["read_back", "heartbeat"]) -> CommandResult:
+    def _result(self, started_s: float, *, done: bool, by: Literal["read_back", "heartbeat"]) -> CommandOutcome:
         ms = round((self._clock.steady_s() - started_s) * 1000.0, 1)
-        return CommandResult("confirmed" if done else "timed_out", by, ms)
+        return CommandOutcome("confirmed" if done else "timed_out", by, ms)

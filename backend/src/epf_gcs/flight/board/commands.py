@@ -5,9 +5,8 @@ from __future__ import annotations
 import asyncio
 from collections import defaultdict
 from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import count
-from typing import Any, Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple, cast
 
 from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_command
@@ -15,6 +14,7 @@ from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Meaning
+from epf_gcs.contract.answers import CommandOutcome, CommandProof, CommandReason, CommandState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, GatewayError, LinkError
 from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, Owed
@@ -24,8 +24,6 @@ from epf_gcs.vehicle.parameters import differing
 from epf_gcs.vehicle.proof import NOT_REPEATABLE, heartbeat_proves, plan_proves
 from epf_gcs.vehicle.telemetry import Telemetry
 
-State = Literal["confirmed", "rejected", "timed_out", "sent"]
-By = Literal["acknowledgement", "heartbeat", "read_back", "none"]
 # How a command is proved. "frame" (a frame that shows the effect) is reported to clients as "read_back".
 _Proof = Literal["acknowledgement", "heartbeat", "frame", "read_back", "none"]
 
@@ -36,7 +34,7 @@ _SLOW_LINE_BAUD: Final = 57600
 _SLOW_LINE_FACTOR: Final = 5
 _HEARTBEATS: Final = 3
 
-Verdict = tuple[State, str | None]
+Verdict = tuple[CommandState, CommandReason | None]
 Judge = Callable[[Frame, Meaning], Verdict | None]
 
 
@@ -49,21 +47,6 @@ class _Sending(NamedTuple):
     proof: _Proof
     judge: Judge
     acknowledgement: AcknowledgementJudge | None
-
-
-@dataclass(frozen=True, slots=True)
-class CommandResult:
-    """What became of a command. `reason` is the board's, where it refused: bad_value, bad_state, unknown, ..."""
-
-    state: State
-    by: By
-    ms: float
-    reason: str | None = None
-
-    @property
-    def done(self) -> bool:
-        """Confirmed by the board, or not contradicted by it."""
-        return self.state in ("confirmed", "sent")
 
 
 class Commands:
@@ -101,7 +84,7 @@ class Commands:
         client: str | None = None,
         quiet: bool = False,
         is_read_back: bool = False,
-    ) -> CommandResult:
+    ) -> CommandOutcome:
         """Send and wait for the proof. `quiet`: the caller reports the overall result.
 
         `is_read_back`: the caller reads the value back itself, so it is not read back here as well when the board
@@ -130,7 +113,7 @@ class Commands:
             self._tell(story, result.state, result.by, result.ms, result.reason)
         return result
 
-    def tell_outcome(self, name: str, arguments: tuple[float, ...], client: str | None, result: CommandResult) -> None:
+    def tell_outcome(self, name: str, arguments: tuple[float, ...], client: str | None, result: CommandOutcome) -> None:
         """Report the outcome of a `quiet` command to the viewers, once the caller knows it."""
         self._tell(self._story(name, arguments, client), result.state, result.by, result.ms, result.reason)
 
@@ -152,12 +135,12 @@ class Commands:
 
     async def _prove(
         self, command: Message, arguments: tuple[float, ...], asking: object, *, is_read_back: bool
-    ) -> CommandResult:
+    ) -> CommandOutcome:
         sending = self._sending(command, arguments, is_read_back=is_read_back)
         started_s = self._clock.steady_s()
         if sending is None:
             self._send(command, encode_command(command.name, *arguments))
-            return CommandResult("sent", "none", 0.0)
+            return CommandOutcome("sent", "none", 0.0)
         attempts = 1 if command.name in NOT_REPEATABLE else _ATTEMPTS
         verdict: Verdict | None = None
         for attempt in range(attempts):
@@ -166,10 +149,10 @@ class Commands:
             if verdict is not None or any(self._newest[flag] is not asking for flag in command.confirm.flags):
                 break
         ms = round((self._clock.steady_s() - started_s) * 1000.0, 1)
-        by: By = "read_back" if sending.proof == "frame" else sending.proof
+        by: CommandProof = "read_back" if sending.proof == "frame" else sending.proof
         if verdict is None:
-            return CommandResult("timed_out", by, ms)
-        return CommandResult(verdict[0], by, ms, verdict[1])
+            return CommandOutcome("timed_out", by, ms)
+        return CommandOutcome(verdict[0], by, ms, verdict[1])
 
     async def _attempt(self, sending: _Sending, *, is_first: bool) -> Verdict | None:
         """Send once and wait. None if nothing proved it in time. Raises LinkError if the link is gone."""
@@ -281,7 +264,7 @@ class Commands:
     def _story(self, name: str, arguments: tuple[float, ...], client: str | None) -> dict[str, Any]:
         return {"id": next(self._ids), "name": name, "value": list(arguments), "client": client}
 
-    def _tell(self, story: dict[str, Any], state: str, by: By, ms: float | None, reason: str | None) -> None:
+    def _tell(self, story: dict[str, Any], state: str, by: CommandProof, ms: float | None, reason: str | None) -> None:
         self._outlet.event("command", {**story, "state": state, "by": by, "ms": ms, "reason": reason})
 
 
@@ -291,12 +274,12 @@ def _by_acknowledgement(judge: AcknowledgementJudge) -> Judge:
         if found is None:
             return None
         is_done, result = found
-        return ("confirmed", None) if is_done else ("rejected", result)
+        return ("confirmed", None) if is_done else ("rejected", cast(CommandReason, result))
 
     return seen
 
 
-def _end_of(error: BaseException) -> tuple[State, By, None, str | None]:
+def _end_of(error: BaseException) -> tuple[CommandState, CommandProof, None, str | None]:
     """Outcome of an aborted command: "rejected" only if it was never sent, for otherwise nobody knows."""
     if isinstance(error, GatewayError) and error.code == "board_line_full":
         return "rejected", "none", None, "not_sent"

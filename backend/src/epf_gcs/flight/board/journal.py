@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
+import msgspec
 import orjson
 
 from epf_gcs.clock import Clock
+from epf_gcs.contract.answers import JournalEntry, ParameterChange
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory.lines_file import LinesFile
-from epf_gcs.vehicle.journal import Change, Entry, Kind, Steps, entry_from, moves_as_dicts
+from epf_gcs.vehicle.journal import Kind, Step, Steps, new_entry
 from epf_gcs.vehicle.outside import Outlet
 
 _KEPT: Final = 1000
@@ -36,24 +39,24 @@ class Journal:
         self._report = report
         self._name_of = name_of
         self._file = LinesFile(path, _KEPT, report)
-        self._entries: deque[Entry] = deque(maxlen=_KEPT)
+        self._entries: deque[JournalEntry] = deque(maxlen=_KEPT)
         self.steps = Steps()
         self._load()
 
     @property
-    def entries(self) -> list[Entry]:
+    def entries(self) -> list[JournalEntry]:
         """Newest first."""
         return list(reversed(self._entries))
 
-    def note(self, kind: Kind, changes: Iterable[Change], client: str | None, *, undoable: bool) -> None:
+    def note(self, kind: Kind, changes: Iterable[ParameterChange], client: str | None, *, undoable: bool) -> None:
         """Note changes that were tried. `undoable` is false if that board is no longer connected."""
         newest = self._entries[-1].id if self._entries else 0
         name = None if client is None else self._name_of(client)
-        entry = Entry(newest + 1, self._clock.now_s(), client, name, kind, tuple(changes))
+        entry = new_entry(newest + 1, self._clock.now_s(), client, name, kind, changes)
         self._entries.append(entry)
         if undoable:
             self.steps = self.steps.after(kind, entry.changes)
-        self._file.append(orjson.dumps(entry.as_dict()))
+        self._file.append(orjson.dumps(entry))
         self._tell(entry)
 
     def forget_steps(self) -> None:
@@ -66,11 +69,11 @@ class Journal:
         """Wait until all is on the disk."""
         self._file.close()
 
-    def _tell(self, entry: Entry | None) -> None:
+    def _tell(self, entry: JournalEntry | None) -> None:
         data: dict[str, Any] = {
-            "entry": None if entry is None else entry.as_dict(),
-            "undo": moves_as_dicts(self.steps.undo),
-            "redo": moves_as_dicts(self.steps.redo),
+            "entry": None if entry is None else asdict(entry),
+            "undo": _plain(self.steps.undo),
+            "redo": _plain(self.steps.redo),
         }
         self._outlet.event("journal", data)
 
@@ -83,8 +86,8 @@ class Journal:
         good: list[bytes] = []
         for line in lines:
             try:
-                self._entries.append(entry_from(orjson.loads(line)))
-            except (ValueError, TypeError, KeyError, AttributeError):
+                self._entries.append(msgspec.json.decode(line, type=JournalEntry))
+            except (msgspec.DecodeError, ValueError):
                 continue
             good.append(line)
         bad = len(lines) - len(good)
@@ -102,3 +105,7 @@ class Journal:
                 reason=why,
             )
         )
+
+
+def _plain(step: Step | None) -> list[dict[str, Any]] | None:
+    return None if step is None else [asdict(move) for move in step]

@@ -5,19 +5,20 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any, Final
 
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.messages_gen import COMMANDS_BY_ID
 from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Json, Meaning, single
+from epf_gcs.contract.answers import CommandOutcome, ParameterChange, WriteOutcome
 from epf_gcs.errors import BoardError, ConflictError, InvalidInputError, LinkError, NotFoundError
-from epf_gcs.flight.board.commands import CommandResult, Commands
+from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.vehicle import parameters as gains
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.journal import Change, Kind, Outcome, Step
+from epf_gcs.vehicle.journal import Kind, Step
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.parameters import BY_NAME, UNKNOWN, Held17
 
@@ -83,7 +84,7 @@ class Parameters:
                 raise none
             await self._write(kind, {move.name: move.after for move in step}, client)
 
-    async def set_by_command(self, command: Message, value: float, client: str | None) -> CommandResult:
+    async def set_by_command(self, command: Message, value: float, client: str | None) -> CommandOutcome:
         """Send one set command without our own read-back, and note it in the journal."""
         name = command.parameter
         async with self._lock:
@@ -92,15 +93,19 @@ class Parameters:
                 result = await self._commands.run(command.name, (value,), client=client)
             except LinkError:
                 # It was sent, and nobody knows what became of it.
-                self._note("write", [Change(name, before, gains.as_held(name, value), "timed_out")], client, session)
+                self._note(
+                    "write", [ParameterChange(name, before, gains.as_held(name, value), "timed_out")], client, session
+                )
                 raise
-            outcome: Outcome = "confirmed" if result.done else "rejected" if result.state == "rejected" else "timed_out"
+            outcome: WriteOutcome = (
+                "confirmed" if result.done else "rejected" if result.state == "rejected" else "timed_out"
+            )
             if session == self._session:
                 self._replace(self._after_command(name, value, outcome))
-            self._note("write", [Change(name, before, gains.as_held(name, value), outcome)], client, session)
+            self._note("write", [ParameterChange(name, before, gains.as_held(name, value), outcome)], client, session)
             return result
 
-    async def store(self, client: str | None) -> CommandResult:
+    async def store(self, client: str | None) -> CommandOutcome:
         """Store the gains on the board's card."""
         written = tuple(self._unstored)
         result = await self._commands.run("store_parameters", client=client)
@@ -122,7 +127,7 @@ class Parameters:
         held = self.held
         before = {name: self._before(name) for name in changes}
         self._replace(gains.with_state(held, changes, "pending"))
-        results: dict[str, CommandResult | None] = {}
+        results: dict[str, CommandOutcome | None] = {}
         try:
             with self._read_back_follows():
                 for name, value in changes.items():
@@ -135,7 +140,9 @@ class Parameters:
                 results = {name: result for name, result in results.items() if result is not None}
             unsent = {name: held[name] for name in changes if name not in results and session == self._session}
             self._replace({**gains.forgotten(self.held, results), **unsent})
-            lost = [Change(name, before[name], gains.as_held(name, changes[name]), "timed_out") for name in results]
+            lost = [
+                ParameterChange(name, before[name], gains.as_held(name, changes[name]), "timed_out") for name in results
+            ]
             self._end(kind, lost, results, client, session)
             raise
         refused = dict.fromkeys(gains.differing(changes, values))
@@ -143,7 +150,7 @@ class Parameters:
         read = gains.after_read(self.held, values)
         self._replace(gains.with_state(gains.with_state(read, refused, "rejected"), taken, "confirmed"))
         tried = [
-            Change(
+            ParameterChange(
                 name,
                 before[name],
                 gains.as_held(name, value),
@@ -153,7 +160,7 @@ class Parameters:
         ]
         self._end(kind, tried, results, client, session)
 
-    async def _set(self, name: str, value: float, client: str | None) -> CommandResult:
+    async def _set(self, name: str, value: float, client: str | None) -> CommandOutcome:
         parameter = BY_NAME[name]
         argument = int(value) if parameter.is_integer else value
         command = COMMANDS_BY_ID[parameter.set_id].name
@@ -171,8 +178,8 @@ class Parameters:
     def _end(
         self,
         kind: Kind,
-        changes: Iterable[Change],
-        results: Mapping[str, CommandResult | None],
+        changes: Iterable[ParameterChange],
+        results: Mapping[str, CommandOutcome | None],
         client: str | None,
         session: int,
     ) -> None:
@@ -186,11 +193,11 @@ class Parameters:
                 COMMANDS_BY_ID[BY_NAME[change.name].set_id].name,
                 (change.after,),
                 client,
-                CommandResult(change.state, "read_back", ms, reason),
+                CommandOutcome(change.state, "read_back", ms, reason),
             )
         self._note(kind, changes, client, session)
 
-    def _note(self, kind: Kind, changes: Iterable[Change], client: str | None, session: int) -> None:
+    def _note(self, kind: Kind, changes: Iterable[ParameterChange], client: str | None, session: int) -> None:
         changes = list(changes)
         if not changes:
             return
@@ -208,7 +215,7 @@ class Parameters:
         value = self.held[name].value
         return None if value is None else gains.shown(name, value)
 
-    def _after_command(self, name: str, value: float, outcome: Outcome) -> Held17:
+    def _after_command(self, name: str, value: float, outcome: WriteOutcome) -> Held17:
         if outcome == "timed_out":
             return gains.forgotten(self.held, [name])
         if outcome == "rejected":
@@ -262,13 +269,13 @@ class Parameters:
     def _replace(self, held: Held17) -> None:
         """Take the new state and send the viewers what changed."""
         changed: dict[str, Any] = {
-            name: gains.as_values(name, one) for name, one in held.items() if one != self.held[name]
+            name: asdict(gains.gain_state(name, one)) for name, one in held.items() if one != self.held[name]
         }
         self.held = held
         if changed:
             self._outlet.event("parameter", {"parameters": changed})
 
 
-def _why_not(result: CommandResult | None) -> Outcome:
+def _why_not(result: CommandOutcome | None) -> WriteOutcome:
     """The outcome where the read-back shows another value: refused, or the command never arrived."""
     return "timed_out" if result is None or result.state == "timed_out" else "rejected"

@@ -16,6 +16,7 @@ from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD, Frame
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.values import single
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.udp import UdpLink
@@ -94,7 +95,7 @@ class Hil:
         return self._samples.look(self._clock.now_s())
 
     @property
-    def fitting_profile(self) -> str | None:
+    def fitting_profile(self) -> SimulatorProfile | None:
         """The generation of the simulator that its rows are of; None while they have not said."""
         return self._samples.fitting_profile
 
@@ -121,11 +122,11 @@ class Hil:
         return self._samples.arrivals
 
     @property
-    def profile(self) -> str:
+    def profile(self) -> SimulatorProfile:
         """Which generation of the simulator the rows are read as."""
         return self._samples.profile
 
-    def begin(self, link: UdpLink | None, profile: str) -> None:
+    def begin(self, link: UdpLink | None, profile: SimulatorProfile) -> None:
         """Start with a new simulator, or with emulated datagrams (`link` None): forget the earlier one's data."""
         self.link = link
         self._samples.begin(profile)

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, Final, Literal
 
 import structlog
 
+from epf_gcs.contract.base import LinkState
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.errors import GatewayError
 
 _log = structlog.get_logger("flight")
 
 Level = Literal["info", "warning", "error"]
-LinkState = Literal["closed", "opening", "open", "lost"]
 # An event that repeats faster than this is logged once, with the number of repetitions.
 _QUIET_S: Final = 10.0
 
@@ -46,11 +47,11 @@ class FlightLog:
         level: Level = "warning" if state == "lost" else "info"
         self._once(level, event.get(state, "link lost"), (name,), {"link": name, "target": target, **reason})
 
-    def alarm(self, event: Literal["came", "went", "acknowledged"], alarm: Mapping[str, Any]) -> None:
-        """Log an alarm that came (or became worse), went, or was acknowledged; `alarm` as its plain values."""
-        is_bad = event == "came" and alarm["level"] == "critical"
+    def alarm(self, event: Literal["came", "went", "acknowledged"], alarm: AlarmState) -> None:
+        """Log an alarm that came (or became worse), went, or was acknowledged."""
+        is_bad = event == "came" and alarm.level == "critical"
         level: Level = "error" if is_bad else "warning" if event == "came" else "info"
-        self._once(level, f"alarm {event}", (alarm["id"],), {"alarm": alarm["id"], "text": alarm["text"]})
+        self._once(level, f"alarm {event}", (alarm.id,), {"alarm": alarm.id, "text": alarm.text})
 
     def board_restarted(self, uptime_ms: int | None) -> None:
         """Log that the board restarted while its link stayed open."""

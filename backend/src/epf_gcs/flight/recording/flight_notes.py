@@ -8,6 +8,7 @@ from typing import Any, Final
 from uuid import uuid4
 
 from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.contract.answers import Mark
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import EVENT, MARK
@@ -36,13 +37,13 @@ class FlightNotes:
         if self._recorder is not None:
             self._recorder.note(EVENT, self._clock.now_ns() if t_ns is None else t_ns, {"event": kind, "data": data})
 
-    def mark(self, text: str, by: str | None, ago_s: float = 0.0) -> dict[str, Any]:
+    def mark(self, text: str, by: str | None, ago_s: float = 0.0) -> Mark:
         """Note a person's words for the moment `ago_s` before now. Returns the mark; its `t_s` is Unix time."""
         t_ns = self._clock.now_ns() - round(ago_s * 1e9)
-        content = {"text": text, "by": by, "id": uuid4().hex}
+        mark = Mark(uuid4().hex, text, by, t_ns * 1e-9)
         if self._recorder is not None:
-            self._recorder.note(MARK, t_ns, content)
-        return {**content, "t_s": t_ns * 1e-9}
+            self._recorder.note(MARK, t_ns, {"text": mark.text, "by": mark.by, "id": mark.id})
+        return mark
 
 
 class NotedBroadcast(Broadcast):

@@ -14,7 +14,7 @@ from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
 from epf_gcs.recordings.notes import IDENTITY, LINE, PARAMETERS, PLAN
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.parameters import as_values
+from epf_gcs.vehicle.parameters import gain_state
 
 
 class KnownNotes:
@@ -71,7 +71,9 @@ class KnownNotes:
 
     def parameters(self) -> None:
         """The gains, as a viewer is told them."""
-        self._notes.know(PARAMETERS, {name: as_values(name, one) for name, one in self._parameters.held.items()})
+        self._notes.know(
+            PARAMETERS, {name: asdict(gain_state(name, one)) for name, one in self._parameters.held.items()}
+        )
 
     def plan(self, plan: str, waypoints: list[Waypoint] | None) -> None:
         """A plan that was read from the board; None where it is not known any more."""

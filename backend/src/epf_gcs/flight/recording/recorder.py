@@ -13,13 +13,13 @@ import shutil
 import threading
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import dropwhile, groupby
 from operator import itemgetter
 from pathlib import Path
 from time import monotonic, monotonic_ns
 from typing import Any, Final
 
+from epf_gcs.contract.answers import DiskPolicy
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.memory.flight_log import say
 from epf_gcs.flight.recording.recording_file import RecordingFile
@@ -38,17 +38,6 @@ _TOLD_S: Final = 5.0
 _LEAST_BYTES: Final = 16 * 1024 * 1024
 # How long a file must have been written before its rate is told.
 _RATE_AFTER_S: Final = 5.0
-
-
-@dataclass(frozen=True, slots=True)
-class DiskPolicy:
-    """What happens when the disk fills: recording stops at `keep_free_bytes`, or the library makes room.
-
-    `delete_oldest`: the station's library deletes the oldest flights that nobody pinned; recording then goes on.
-    """
-
-    delete_oldest: bool = False
-    keep_free_bytes: int = 1_000_000_000
 
 
 class Recorder:

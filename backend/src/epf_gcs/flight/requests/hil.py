@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from dataclasses import replace
 
 from epf_gcs.bus.definition import Asker, Client
+from epf_gcs.bus.vehicle_end import Handlers
+from epf_gcs.contract.base import ControlSource, StickSource, SurfacePath
+from epf_gcs.contract.notices import ControlChanged, Notice, StickMoved, StickReleased
+from epf_gcs.contract.requests import ReadHil, SetHil
+from epf_gcs.contract.status import HilState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import BoardError
 from epf_gcs.flight.board.commands import Commands
@@ -13,7 +18,6 @@ from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes
-from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.flight.state.status import hil_state
 from epf_gcs.recordings.notes import EVENT
 from epf_gcs.vehicle.board import Board
@@ -43,7 +47,7 @@ class HilSwitches:
         hil.on_taken = self._path_taken
         self.note()
 
-    async def choose_source(self, source: str, client: str | None) -> None:
+    async def choose_source(self, source: ControlSource, client: str | None) -> None:
         """Set the board's control source and wait for its confirmation. Raises BoardError."""
         result = await self._commands.run("control_source", (int(source == "joystick"),), client=client)
         if not result.done:
@@ -54,7 +58,7 @@ class HilSwitches:
                 reason=result.reason or result.state,
             )
 
-    def choose_path(self, path: str) -> None:
+    def choose_path(self, path: SurfacePath) -> None:
         """Set the path; it is kept across restarts."""
         self._hil.path = "assisted" if path == "assisted" else "manual"
         self._path_changed()
@@ -79,22 +83,22 @@ class HilSwitches:
         data = {"path": self._hil.path, "source": self._hil.source}
         self._notes.know(EVENT, {"event": "hil", "data": data}, "hil")
 
-    async def choose_stick(self, stick: str, gamepad: str, client: str | None) -> None:
+    async def choose_stick(self, stick: StickSource, gamepad: str, client: str | None) -> None:
         """Choose simulator or gamepad. Raises ConflictError if that gamepad cannot be used."""
         if stick == "gamepad":
             await self._hil.stick.choose_gamepad(client, gamepad)
         else:
             self._hil.stick.choose_simulator()
 
-    def requests(self) -> Table:
-        """hil.read and hil.set {source, path, stick, gamepad}, null for no change; both answer with the HIL state."""
-        return {"hil.read": self._read, "hil.set": self._write}
+    def requests(self) -> Handlers:
+        """Both answer with the HIL state."""
+        return {ReadHil: self._read, SetHil: self._write}
 
-    async def _read(self, _: Asker, __: dict[str, Any]) -> dict[str, Any]:
+    async def _read(self, _: ReadHil, __: Asker) -> HilState:
         return hil_state(self._hil)
 
-    async def _write(self, by: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
-        source, path, stick = (arguments.get(name) for name in ("source", "path", "stick"))
+    async def _write(self, request: SetHil, by: Asker) -> HilState:
+        source, path, stick = request.source, request.path, request.stick
         if stick != "simulator" or source is not None or path is not None:
             self._board.check_commandable()
         if path == "assisted":
@@ -104,27 +108,23 @@ class HilSwitches:
         if path is not None:
             self.choose_path(path)
         if stick is not None:
-            await self.choose_stick(stick, str(arguments.get("gamepad") or ""), by.client)
-        return hil_state(self._hil) | ({"source": source} if source else {})
+            await self.choose_stick(stick, request.gamepad, by.client)
+        state = hil_state(self._hil)
+        return state if source is None else replace(state, source=source)
 
 
-def stick_notices(stick: Stick) -> Callable[[str, dict[str, Any]], None]:
-    """stick {client, sample}; stick_gone {client}; control {client, name, about, kept} of the page that has it, or that
-    has just lost it and may come back (`kept`); nulls for nobody."""
-
-    def notice(name: str, arguments: dict[str, Any]) -> None:
-        match name, arguments:
-            case "stick", {"client": str(client), "sample": dict(sample)}:
-                stick.take(client, sample)
-            case "stick_gone", {"client": str(client)}:
-                stick.let_go(client)
-            case "control", {"client": str(client), "name": str(shown)}:
-                page = Client(client, shown, dict(arguments.get("about") or {}))
-                if arguments.get("kept"):
-                    stick.control_changed(None, page)
-                else:
-                    stick.control_changed(page)
-            case "control", {"client": None}:
-                stick.control_changed(None)
-
-    return notice
+def take_stick_notice(stick: Stick, notice: Notice) -> None:
+    """Keep the stick alive, let it go, or hear who has control."""
+    match notice:
+        case StickMoved(client, sample):
+            stick.take(client, dict(sample))
+        case StickReleased(client):
+            stick.let_go(client)
+        case ControlChanged(client=None):
+            stick.control_changed(None)
+        case ControlChanged(str(client), name, about, kept):
+            page = Client(client, name or "", dict(about))
+            if kept:
+                stick.control_changed(None, page)
+            else:
+                stick.control_changed(page)

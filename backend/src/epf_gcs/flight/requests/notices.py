@@ -3,25 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
+from epf_gcs.contract.notices import Notice, SurroundingsSeen
 from epf_gcs.flight.hil.stick import Stick
-from epf_gcs.flight.requests.hil import stick_notices
+from epf_gcs.flight.requests.hil import take_stick_notice
 from epf_gcs.vehicle.surroundings import ToldSurroundings
 
 
-def notices(
-    stick: Stick, surroundings: ToldSurroundings, steady_s: Callable[[], float]
-) -> Callable[[str, dict[str, Any]], None]:
-    """surroundings {findings, watched, blind}, as `ToldSurroundings.take` has them; and the notices of the stick."""
-    stick_notice = stick_notices(stick)
+def notices(stick: Stick, surroundings: ToldSurroundings, steady_s: Callable[[], float]) -> Callable[[Notice], None]:
+    """Ground and fence as seen now, and the stick."""
 
-    def notice(name: str, arguments: dict[str, Any]) -> None:
-        match name, arguments:
-            case "surroundings", {"findings": list(findings)}:
-                words = [value if isinstance(value := arguments.get(one), list) else [] for one in ("watched", "blind")]
-                surroundings.take(findings, steady_s(), *words)
-            case _:
-                stick_notice(name, arguments)
+    def take(notice: Notice) -> None:
+        if isinstance(notice, SurroundingsSeen):
+            surroundings.take(notice.findings, steady_s(), notice.watched, notice.blind)
+        else:
+            take_stick_notice(stick, notice)
 
-    return notice
+    return take

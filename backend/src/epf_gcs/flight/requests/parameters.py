@@ -3,72 +3,74 @@
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
-from dataclasses import asdict
 from typing import Any
 
 from epf_gcs.bus.definition import Asker
-from epf_gcs.bus.vehicle_end import Handler
+from epf_gcs.bus.vehicle_end import Handler, Handlers
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.answers import CommandOutcome, GainState, ParameterJournal
+from epf_gcs.contract.requests import (
+    LoadParameters,
+    ReadJournal,
+    ReadParameters,
+    ReadPlan,
+    RedoParameters,
+    Request,
+    SetParameters,
+    StoreParameters,
+    UndoParameters,
+    WritePlan,
+)
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
-from epf_gcs.flight.requests.client_names import Table
-from epf_gcs.vehicle.journal import moves_as_dicts
-from epf_gcs.vehicle.parameters import as_values
+from epf_gcs.vehicle.parameters import gain_state
 
 
-def parameter_requests(parameters: Parameters) -> Table:
-    """parameters.read, .load, .set {name: value}, .undo and .redo answer {name: {value, loaded, state}}.
+def parameter_requests(parameters: Parameters) -> Handlers:
+    """All that change gains answer with what is known of them then."""
 
-    Beside them parameters.store and parameters.journal.
-    """
-
-    def held() -> dict[str, dict[str, Any]]:
-        return {name: as_values(name, one) for name, one in parameters.held.items()}
-
-    async def read(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
-        return held()
+    def held() -> dict[str, GainState]:
+        return {name: gain_state(name, one) for name, one in parameters.held.items()}
 
     def then_held(do: Callable[[str | None], Awaitable[None]]) -> Handler:
-        async def answer(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
+        async def answer(_: Request[Any], by: Asker) -> dict[str, GainState]:
             await do(by.client)
             return held()
 
         return answer
 
-    async def write(by: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
-        await parameters.set(arguments, by.client)
+    async def read(_: ReadParameters, __: Asker) -> dict[str, GainState]:
         return held()
 
-    async def store(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
-        return asdict(await parameters.store(by.client))
+    async def write(request: SetParameters, by: Asker) -> dict[str, GainState]:
+        await parameters.set(dict(request.values), by.client)
+        return held()
 
-    async def journal(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
+    async def store(_: StoreParameters, by: Asker) -> CommandOutcome:
+        return await parameters.store(by.client)
+
+    async def read_journal(_: ReadJournal, __: Asker) -> ParameterJournal:
         kept = parameters.journal
-        return {
-            "entries": [entry.as_dict() for entry in kept.entries],
-            "undo": moves_as_dicts(kept.steps.undo),
-            "redo": moves_as_dicts(kept.steps.redo),
-        }
+        return ParameterJournal(list(kept.entries), kept.steps.undo, kept.steps.redo)
 
     return {
-        "parameters.read": read,
-        "parameters.load": then_held(parameters.load),
-        "parameters.set": write,
-        "parameters.undo": then_held(parameters.undo),
-        "parameters.redo": then_held(parameters.redo),
-        "parameters.store": store,
-        "parameters.journal": journal,
+        ReadParameters: read,
+        LoadParameters: then_held(parameters.load),
+        SetParameters: write,
+        UndoParameters: then_held(parameters.undo),
+        RedoParameters: then_held(parameters.redo),
+        StoreParameters: store,
+        ReadJournal: read_journal,
     }
 
 
-def mission_requests(missions: Missions) -> Table:
-    """missions.read {plan}, missions.write {plan, waypoints}: both answer with the waypoints that the board has."""
+def mission_requests(missions: Missions) -> Handlers:
+    """Both answer with the waypoints that the board has."""
 
-    async def read(_: Asker, arguments: dict[str, Any]) -> list[dict[str, Any]]:
-        return [asdict(waypoint) for waypoint in await missions.read(arguments["plan"])]
+    async def read(request: ReadPlan, _: Asker) -> list[Waypoint]:
+        return list(await missions.read(request.plan))
 
-    async def write(by: Asker, arguments: dict[str, Any]) -> list[dict[str, Any]]:
-        waypoints = [Waypoint(**waypoint) for waypoint in arguments["waypoints"]]
-        return [asdict(waypoint) for waypoint in await missions.write(arguments["plan"], waypoints, by.client)]
+    async def write(request: WritePlan, by: Asker) -> list[Waypoint]:
+        return list(await missions.write(request.plan, request.waypoints, by.client))
 
-    return {"missions.read": read, "missions.write": write}
+    return {ReadPlan: read, WritePlan: write}

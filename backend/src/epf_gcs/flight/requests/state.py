@@ -4,55 +4,63 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from typing import Any
 
 from epf_gcs.bus.definition import Asker
-from epf_gcs.flight.requests.client_names import Table
+from epf_gcs.bus.vehicle_end import Handlers
+from epf_gcs.contract.answers import AlarmBook, Sample
+from epf_gcs.contract.inspector import Inspector
+from epf_gcs.contract.requests import (
+    AcknowledgeAlarm,
+    ChooseThresholds,
+    ReadAlarms,
+    ReadInspector,
+    ReadStatus,
+    ReadTelemetry,
+    ReadThresholds,
+)
+from epf_gcs.contract.status import AlarmState, Status
 from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.vehicle.alarms import Alarms
 
 
 def state_requests(
-    status: Callable[[], dict[str, Any]], newest: Callable[[], dict[str, Any]], sources: InspectorSources
-) -> Table:
-    """status; telemetry: the newest sample of each topic with its age; inspector: every message, measured."""
+    status: Callable[[], Status], newest: Callable[[], dict[str, Sample]], sources: InspectorSources
+) -> Handlers:
+    """Status, the newest samples, and every message measured."""
 
-    async def read_status(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
+    async def read_status(_: ReadStatus, __: Asker) -> Status:
         return status()
 
-    async def read_telemetry(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
+    async def read_telemetry(_: ReadTelemetry, __: Asker) -> dict[str, Sample]:
         return newest()
 
-    async def inspect(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
+    async def inspect(_: ReadInspector, __: Asker) -> Inspector:
         # Copy here, calculate in a thread, so that the HIL loop does not wait.
         snapshot = take_snapshot(sources)
         return await asyncio.to_thread(build_inspector, snapshot)
 
-    return {"status": read_status, "telemetry": read_telemetry, "inspector": inspect}
+    return {ReadStatus: read_status, ReadTelemetry: read_telemetry, ReadInspector: inspect}
 
 
-def alarm_requests(alarms: Alarms) -> Table:
-    """alarms.read; alarms.thresholds; alarms.choose {name: value}; alarms.acknowledge {id}."""
+def alarm_requests(alarms: Alarms) -> Handlers:
+    """The alarms and their thresholds."""
 
-    async def read(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
-        return {
-            "active": [alarm.as_dict() for alarm in alarms.active],
-            "past": [alarm.as_dict() for alarm in alarms.past],
-        }
+    async def read(_: ReadAlarms, __: Asker) -> AlarmBook:
+        return AlarmBook([alarm.state for alarm in alarms.active], [alarm.past_state for alarm in alarms.past])
 
-    async def thresholds(_: Asker, __: dict[str, Any]) -> dict[str, float]:
+    async def read_thresholds(_: ReadThresholds, __: Asker) -> dict[str, float]:
         return dict(alarms.thresholds)
 
-    async def choose(_: Asker, arguments: dict[str, Any]) -> dict[str, float]:
-        alarms.choose(arguments)
+    async def choose(request: ChooseThresholds, _: Asker) -> dict[str, float]:
+        alarms.choose(dict(request.values))
         return dict(alarms.thresholds)
 
-    async def acknowledge(_: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
-        return alarms.acknowledge(str(arguments["id"])).as_dict()
+    async def acknowledge(request: AcknowledgeAlarm, _: Asker) -> AlarmState:
+        return alarms.acknowledge(request.id).state
 
     return {
-        "alarms.read": read,
-        "alarms.thresholds": thresholds,
-        "alarms.choose": choose,
-        "alarms.acknowledge": acknowledge,
+        ReadAlarms: read,
+        ReadThresholds: read_thresholds,
+        ChooseThresholds: choose,
+        AcknowledgeAlarm: acknowledge,
     }

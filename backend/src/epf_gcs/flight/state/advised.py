@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any, Final
 
+from epf_gcs.contract.inspector import AdviceState
 from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.repeating import repeat
 from epf_gcs.vehicle.outside import Outlet
@@ -15,8 +17,6 @@ _EVERY_S: Final = 10.0
 _FORGOTTEN_LOOKS: Final = 6
 # What tells two pieces of advice of one code apart.
 _ABOUT: Final = ("row", "direction", "topic")
-
-Told = Mapping[str, Any]
 
 
 class AdviceWatch:
@@ -37,15 +37,15 @@ class AdviceWatch:
         # Copied here, calculated in a thread: the HIL loop does not wait.
         snapshot = take_snapshot(self._sources)
         found = await asyncio.to_thread(build_inspector, snapshot)
-        for one in self.new_of(found["advice"]):
-            self._outlet.event("advice", one)
+        for one in self.new_of(found.advice):
+            self._outlet.event("advice", asdict(one))
 
-    def new_of(self, found: Sequence[Told]) -> list[Told]:
-        """What was not advised in the last minute; each is {"code", "level", "text", "params"}."""
+    def new_of(self, found: Sequence[AdviceState]) -> list[AdviceState]:
+        """What was not advised in the last minute."""
         self._looks += 1
         new = []
         for one in found:
-            key = (one["code"], next((one["params"][about] for about in _ABOUT if about in one["params"]), None))
+            key = (one.code, next((one.params[about] for about in _ABOUT if about in one.params), None))
             if self._looks - self._seen.get(key, -_FORGOTTEN_LOOKS) >= _FORGOTTEN_LOOKS:
                 new.append(one)
             self._seen[key] = self._looks

@@ -8,9 +8,9 @@ from typing import Any, Final, get_args
 
 import orjson
 
+from epf_gcs.contract.alarm_ids import AlarmId
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory.lines_file import LinesFile
-from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import KEPT, Alarm
 from epf_gcs.vehicle.judges import Finding, Level
 
@@ -30,7 +30,7 @@ class AlarmHistory:
 
     def keep(self, alarm: Alarm) -> None:
         """Write an alarm that ended, or that was acknowledged after its end. Returns without waiting for the disk."""
-        self._file.append(orjson.dumps(alarm.as_dict()))
+        self._file.append(orjson.dumps(alarm.state))
 
     def close(self) -> None:
         """Wait until all is on the disk."""
@@ -70,7 +70,7 @@ class AlarmHistory:
 
 
 def _alarm_from(values: Mapping[str, Any]) -> Alarm:
-    """The alarm that `as_dict` gave. Raises ValueError, TypeError or KeyError for anything else."""
+    """The alarm whose `state` was written. Raises ValueError, TypeError or KeyError for anything else."""
     params = {
         str(name): value for name, value in values["params"].items() if isinstance(value, str | int | float | None)
     }

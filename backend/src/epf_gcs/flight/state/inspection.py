@@ -7,11 +7,12 @@ calculates and may run in a thread.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Final
+from dataclasses import dataclass, replace
+from typing import Final
 
 from epf_gcs.clock import Clock
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME, XPLANE_ROWS
+from epf_gcs.contract.inspector import InspectedLink, Inspector
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
@@ -52,7 +53,7 @@ class Snapshot:
     frames: Sequence[CountedFrame]
     rows: Mapping[int, Arrivals]
     profile: str
-    link: Mapping[str, Any]
+    link: InspectedLink
     observed: Observed
     expected_hz: Mapping[str, float]
 
@@ -87,57 +88,57 @@ def take_snapshot(parts: InspectorSources) -> Snapshot:
     )
 
 
-def build_inspector(snapshot: Snapshot) -> dict[str, Any]:
-    """Plain values, ready for JSON; its shape is `epf_gcs.web.interface.inspector.routes.Inspector`."""
+def build_inspector(snapshot: Snapshot) -> Inspector:
+    """Calculate rates, jitter and advice."""
     board = inspect_frames(snapshot.frames, snapshot.now_s)
-    rate_hz: dict[str, float] = {frame["name"]: frame["rate_hz"] for frame in board}
+    rate_hz = {frame.name: frame.rate_hz for frame in board}
     observed = replace(
         snapshot.observed,
         streams=[Stream(topic, rate_hz[topic], hz) for topic, hz in snapshot.expected_hz.items()],
-        servos_percent=share_percent(_servo_bytes_per_s(rate_hz), snapshot.link["capacity_bytes_per_s"]),
+        servos_percent=share_percent(_servo_bytes_per_s(rate_hz), snapshot.link.capacity_bytes_per_s),
     )
-    return {
-        "t_s": snapshot.now_s,
-        "board": board,
-        "rows": inspect_rows(snapshot.rows, snapshot.profile, snapshot.now_s),
-        "link": snapshot.link,
-        "advice": [asdict(one) for one in advice(observed)],
-    }
+    return Inspector(
+        t_s=snapshot.now_s,
+        board=board,
+        rows=inspect_rows(snapshot.rows, snapshot.profile, snapshot.now_s),
+        link=snapshot.link,
+        advice=list(advice(observed)),
+    )
 
 
-def _link(parts: InspectorSources) -> dict[str, Any]:
+def _link(parts: InspectorSources) -> InspectedLink:
     rates, board = parts.rates, parts.board
     capacity = board.baud / 10.0 if board.link is not None else None
     rx, tx, simulator = rates.board_in.per_s(), rates.board_out.per_s(), rates.simulator_in.per_s()
-    return {
-        "rx_bytes_per_s": round(rx, 1),
-        "tx_bytes_per_s": round(tx, 1),
-        "capacity_bytes_per_s": capacity,
-        "rx_percent": share_percent(rx, capacity),
-        "tx_percent": share_percent(tx, capacity),
-        "simulator_bytes_per_s": round(simulator, 1),
-        "simulator_percent": share_percent(simulator, CHANNEL_BYTES_PER_S),
-        "round_trip_ms": asdict(parts.hil.round_trip.summary()),
-        "round_trips": parts.hil.round_trip.answers,
-    }
+    return InspectedLink(
+        rx_bytes_per_s=round(rx, 1),
+        tx_bytes_per_s=round(tx, 1),
+        capacity_bytes_per_s=capacity,
+        rx_percent=share_percent(rx, capacity),
+        tx_percent=share_percent(tx, capacity),
+        simulator_bytes_per_s=round(simulator, 1),
+        simulator_percent=share_percent(simulator, CHANNEL_BYTES_PER_S) or 0.0,
+        round_trip_ms=parts.hil.round_trip.summary(),
+        round_trips=parts.hil.round_trip.answers,
+    )
 
 
-def _observed(parts: InspectorSources, link: Mapping[str, Any]) -> Observed:
+def _observed(parts: InspectorSources, link: InspectedLink) -> Observed:
     """The observations that need no rate."""
     surfaces_s = parts.hil.last_surfaces_s
     is_alive = surfaces_s is not None and parts.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
     return Observed(
         silent_target=_silent_target(parts),
         rubbish_at_baud=_rubbish_at_baud(parts),
-        rx_percent=link["rx_percent"],
-        tx_percent=link["tx_percent"],
+        rx_percent=link.rx_percent,
+        tx_percent=link.tx_percent,
         servos_ms=round(1000.0 * parts.memory.now.wanted.period_s(RATE_COMMANDS[2])),
         damaged_percent=parts.watch.damaged_percent,
         damaged_limit_percent=parts.alarms.thresholds["frames_damaged_percent"],
         silent_port=_silent_port(parts),
         missing_rows=_missing_rows(parts) if parts.simulator.state == "open" else (),
         strangers=_strangers(parts),
-        round_trip_p99_ms=link["round_trip_ms"]["p99"] if is_alive else None,
+        round_trip_p99_ms=link.round_trip_ms.p99 if is_alive else None,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from epf_gcs.flights.report.gains import gain_changes, last_gains
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import SUMMARY
-from epf_gcs.vehicle.noted import identity_of
+from epf_gcs.vehicle.noted import newest_identity
 
 
 def make(recording: Path, folder: Path | None) -> dict[str, Any]:
@@ -37,15 +38,11 @@ def report(
     name: str, flight: FlightData, summary: dict[str, Any], events: list[Event], asked_ns: Array, answered_ns: Array
 ) -> dict[str, Any]:
     """The report of one flight, with plain values; `asked_ns` and `answered_ns` are the HIL loop's frames."""
-    identity = identity_of(None)
-    for note in flight.notes():
-        if note.name == notes.IDENTITY:
-            newer = identity_of(note.content)
-            identity = {key: newer[key] or identity[key] for key in identity}
+    identity = newest_identity(note.content for note in flight.notes() if note.name == notes.IDENTITY)
     moves, reason = manoeuvres(flight)
     found = {
         "flight": name,
-        "identity": identity,
+        "identity": asdict(identity),
         "times": times(flight),
         "distances": distances(flight, summary),
         "battery": battery(flight),

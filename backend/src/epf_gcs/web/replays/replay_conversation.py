@@ -6,16 +6,21 @@ import asyncio
 import contextlib
 import secrets
 from collections.abc import Callable
+from dataclasses import asdict, replace
 from typing import Any, Final
 
 import orjson
 
 from epf_gcs import __version__
 from epf_gcs.access.caller import Caller
-from epf_gcs.access.control import NOBODY_STATE, base_name
-from epf_gcs.bus.definition import Named
+from epf_gcs.access.control import base_name
+from epf_gcs.bus.definition import BusError, Named
+from epf_gcs.contract.hello import Hello
+from epf_gcs.contract.notices import Notice
+from epf_gcs.contract.playback import Loop, Pause, Play, Playback, Seek, Step, Taken, Want
+from epf_gcs.contract.requests import ReadInspector, ReadKnown, Request
+from epf_gcs.contract.status import Status
 from epf_gcs.errors import GatewayError
-from epf_gcs.surroundings.watch import NOTHING_SEEN
 from epf_gcs.web.replays.replay_process import ViewersReplay
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.hub_state import HubState
@@ -27,6 +32,7 @@ from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
 _LOG_SAMPLES: Final = 4096
 _MOST_EARLY: Final = 40
 _MOST_ASKED: Final = 8
+_QUESTIONS: Final[dict[str, Request[Any]]] = {"inspector": ReadInspector(), "known": ReadKnown()}
 
 
 class ReplayConversation:
@@ -54,12 +60,12 @@ class ReplayConversation:
         self._hub = Hub(self._loop, lambda: self._at_s, HubState(_LOG_SAMPLES))
         self._viewer = Viewer(self._client, base_name(caller), connection, self._hub.state, rate_hz)
         self._task: asyncio.Task[None] | None = None
-        self._playback: dict[str, Any] = {}
+        self._playback: Playback | None = None
         self._at_s = 0.0
         self._untold = 0
         self._jump: bytes | None = None
         self._is_elsewhere = True
-        self._early: list[tuple[str, dict[str, Any]]] = []
+        self._early: list[Notice] = []
         self._asked: set[asyncio.Task[None]] = set()
         self._is_greeted = False
 
@@ -83,10 +89,12 @@ class ReplayConversation:
             self._on_end()
             self._on_end = None
 
-    def on_hello(self, hello: dict[str, Any]) -> None:
+    def on_hello(self, hello: Hello) -> None:
         """The replay is there."""
-        self._playback = hello["playback"]
-        self._at_s = self._playback["t_s"]
+        playback, span = hello.playback, hello.flight
+        if playback is None or span is None:
+            raise BusError("a replay says what it replays")
+        self._playback, self._at_s = playback, playback.t_s
         if self._is_greeted:
             return
         self._is_greeted = True
@@ -101,16 +109,16 @@ class ReplayConversation:
             "has_control": False,
             "server_time_s": self._at_s,
             "topics": TOPICS,
-            "flight": hello["flight"],
-            "starts_s": hello["starts_s"],
-            "duration_s": hello["duration_s"],
-            "status": self._whole(hello["status"]),
+            "flight": span.flight,
+            "starts_s": span.starts_s,
+            "duration_s": span.duration_s,
+            "status": self._whole(hello.status),
         }
         self._viewer.greet(orjson.dumps(said))
         self._hub.add(self._viewer)
-        self._replay.notice("want", rate_hz=self._viewer.rate_hz)
-        for name, arguments in self._early:
-            self._replay.notice(name, **arguments)
+        self._replay.notice(Want(self._viewer.rate_hz))
+        for notice in self._early:
+            self._replay.notice(notice)
 
     def on_sample(self, sample: Named) -> None:
         """A sample of the moment that is shown."""
@@ -131,16 +139,16 @@ class ReplayConversation:
         """Something that happened at that moment of the flight."""
         self._hub.send_event(event.text)
 
-    def on_status(self, status: dict[str, Any]) -> None:
+    def on_status(self, status: Status) -> None:
         """The state of the flight at that moment."""
         self._tell_jump()
         self._hub.status(orjson.dumps({"type": "status", "data": self._whole(status)}))
 
-    def on_playback(self, playback: dict[str, Any]) -> None:
+    def on_playback(self, playback: Playback) -> None:
         """Where the replay is; after a jump all samples before it are of another moment."""
-        self._at_s = playback["t_s"]
-        text = orjson.dumps({"type": "playback", **playback})
-        if playback["jumps"] != self._playback.get("jumps"):
+        self._at_s = playback.t_s
+        text = orjson.dumps({"type": "playback", **asdict(playback)})
+        if self._playback is None or playback.jumps != self._playback.jumps:
             self._hub.state.clear()
             self._hub.state.newest_s = self._at_s
             self._is_elsewhere = True
@@ -183,7 +191,7 @@ class ReplayConversation:
                 if self._is_greeted:
                     self._hub.change_rate(self._viewer, rate)
                 self._viewer.rate_hz = rate
-                return self._tell("want", rate_hz=rate)
+                return self._tell(Want(rate))
             case {"type": "rate"}:
                 return RATE_SENTENCE
             case _:
@@ -192,19 +200,19 @@ class ReplayConversation:
     def _take_wish(self, message: Any) -> str | None:
         match message:
             case {"type": "play", "rate": int() | float() as rate} if rate > 0:
-                return self._tell("play", rate=rate)
+                return self._tell(Play(rate))
             case {"type": "play"} if "rate" not in message:
-                return self._tell("play", rate=1.0)
+                return self._tell(Play(1.0))
             case {"type": "pause"}:
-                return self._tell("pause")
+                return self._tell(Pause())
             case {"type": "seek", "at_s": int() | float() as at_s}:
-                return self._tell("seek", at_s=at_s)
+                return self._tell(Seek(at_s))
             case {"type": "step", "frames": 1 | -1 as frames}:
-                return self._tell("step", frames=frames)
+                return self._tell(Step(frames))
             case {"type": "loop", "from_s": int() | float() as from_s, "to_s": int() | float() as to_s}:
-                return self._tell("loop", from_s=from_s, to_s=to_s)
+                return self._tell(Loop(from_s, to_s))
             case {"type": "loop"} if "from_s" not in message and "to_s" not in message:
-                return self._tell("loop")
+                return self._tell(Loop())
             case {"type": "ask", "about": "inspector" | "known" as about}:
                 return self._ask(about)
             case {"type": "stick"}:
@@ -215,12 +223,12 @@ class ReplayConversation:
                     "ask {about}."
                 )
 
-    def _tell(self, name: str, **arguments: Any) -> str | None:
+    def _tell(self, notice: Notice) -> str | None:
         """Pass a wish on to the replay; what is said before it is there, waits for it. Returns no fault."""
         if self._is_greeted:
-            self._replay.notice(name, **arguments)
+            self._replay.notice(notice)
         elif len(self._early) < _MOST_EARLY:
-            self._early.append((name, arguments))
+            self._early.append(notice)
         return None
 
     def _ask(self, about: str) -> str | None:
@@ -236,14 +244,14 @@ class ReplayConversation:
     async def _answer(self, about: str) -> None:
         # A replay that has gone says so itself.
         with contextlib.suppress(GatewayError):
-            data = await self._replay.request(about)
+            data = await self._replay.ask(_QUESTIONS[about])
             self._viewer.offer_event(orjson.dumps({"type": "answer", "about": about, "data": data}))
             self._hub.serve(self._viewer)
 
     def _tell_taken(self) -> None:
         """A viewer of every sample has been sent all there is: the replay may go on."""
         if self._untold and not self._viewer.rate_hz and not self._viewer.waiting and not self._viewer.queued:
-            self._replay.notice("taken", count=self._untold)
+            self._replay.notice(Taken(self._untold))
             self._untold = 0
 
     def _tell_jump(self) -> None:
@@ -262,6 +270,6 @@ class ReplayConversation:
             with contextlib.suppress(OSError):
                 self._connection.send([text])
 
-    def _whole(self, status: dict[str, Any]) -> dict[str, Any]:
-        whole = {**status, "version": __version__, "control": NOBODY_STATE, "surroundings": NOTHING_SEEN, "viewers": 1}
-        return {**whole, "playback": self._playback}
+    def _whole(self, status: Status) -> dict[str, Any]:
+        """Nobody commands the past, and what was around the aircraft then is not known."""
+        return {**asdict(replace(status, version=__version__, viewers=1)), "playback": self._playback}

@@ -9,11 +9,13 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import orjson
 
 from epf_gcs.bus.station_end import Listener, StationEnd
+from epf_gcs.contract.notices import Notice
+from epf_gcs.contract.requests import AnswerT_co, Request
 from epf_gcs.errors import ConflictError
 from epf_gcs.workers.child import child
 
@@ -92,16 +94,16 @@ class ViewersReplay:
         self._at_s = at_s
         self._end: StationEnd | None = None
 
-    def notice(self, name: str, /, **arguments: object) -> None:
+    def notice(self, notice: Notice) -> None:
         """Tell the replay; dropped before it is there."""
         if self._end is not None:
-            self._end.notice(name, **arguments)
+            self._end.notice(notice)
 
-    async def request(self, name: str) -> Any:
+    async def ask(self, request: Request[AnswerT_co]) -> AnswerT_co:
         """Ask the replay about the moment that it shows. Raises ConflictError if it is not there."""
         if self._end is None:
             raise ConflictError("flight_away", "The replay is not there.")
-        return await self._end.request(name)
+        return await self._end.ask(request)
 
     async def run(self, listener: Listener) -> str:
         """Run until cancelled, or until the process ends by itself; returns its last words then.

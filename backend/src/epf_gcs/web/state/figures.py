@@ -4,10 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
-
-Status = Mapping[str, Any]
-"""Its shape is `epf_gcs.web.interface.state.schemas.Status`."""
 
 
 @dataclass(frozen=True)

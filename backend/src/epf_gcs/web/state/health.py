@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Final, Literal
 
-from epf_gcs.web.state.figures import Disk, Status
+from epf_gcs.contract.status import BoardStatus, RecordingState, SimulatorStatus, Status
+from epf_gcs.web.state.figures import Disk
 
 PartState = Literal["ok", "off", "waiting", "failed"]
 """`off`: not requested. `waiting`: requested and not there yet. `failed`: requested, and lost or broken."""
@@ -24,9 +25,9 @@ def health(status: Status | None, disk: Disk | None) -> tuple[int, dict[str, Any
     else:
         parts |= {
             "flight": _part("ok"),
-            "board": _board(status["board"]),
-            "simulator": _link(status["simulator"]),
-            "recording": _recording(status["recording"]),
+            "board": _board(status.board),
+            "simulator": _link(status.simulator),
+            "recording": _recording(status.recording),
         }
     failed = sorted(name for name, part in parts.items() if part["state"] == "failed")
     body = {
@@ -34,7 +35,7 @@ def health(status: Status | None, disk: Disk | None) -> tuple[int, dict[str, Any
         # Of the station itself, whatever is connected to it.
         "processes": "failed" if status is None else "ok",
         "failed": failed,
-        "version": None if status is None else status["version"],
+        "version": None if status is None else status.version,
         "parts": parts,
     }
     return (503 if failed else 200), body
@@ -44,24 +45,24 @@ def _part(state: PartState, detail: str | None = None) -> dict[str, Any]:
     return {"state": state, "detail": detail}
 
 
-def _link(link: Status) -> dict[str, Any]:
-    failure = link["failure"]
-    state: PartState = "failed" if failure is not None else _LINK_STATES.get(link["state"], "failed")
-    return _part(state, failure["detail"] if failure is not None else None)
+def _link(link: BoardStatus | SimulatorStatus) -> dict[str, Any]:
+    failure = link.failure
+    state: PartState = "failed" if failure is not None else _LINK_STATES.get(link.state, "failed")
+    return _part(state, failure.detail if failure is not None else None)
 
 
-def _board(board: Status) -> dict[str, Any]:
+def _board(board: BoardStatus) -> dict[str, Any]:
     part = _link(board)
-    age_s = board["heartbeat_age_s"]
-    if part["state"] == "ok" and not board["emulated"] and age_s is not None and age_s > _HEARTBEAT_S:
+    age_s = board.heartbeat_age_s
+    if part["state"] == "ok" and not board.emulated and age_s is not None and age_s > _HEARTBEAT_S:
         return _part("failed", f"The board's heartbeat is {age_s:.1f} s old.")
     return part
 
 
-def _recording(recording: Status) -> dict[str, Any]:
-    if recording["failure"] is not None:
-        return _part("failed", recording["failure"])
-    return _part("ok" if recording["active"] else "off")
+def _recording(recording: RecordingState) -> dict[str, Any]:
+    if recording.failure is not None:
+        return _part("failed", recording.failure)
+    return _part("ok" if recording.active else "off")
 
 
 def _disk(disk: Disk | None) -> dict[str, Any]:

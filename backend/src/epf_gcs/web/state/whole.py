@@ -5,12 +5,14 @@ from __future__ import annotations
 import asyncio
 from collections import Counter
 from collections.abc import Callable
-from typing import Any
+from dataclasses import replace
 
 import orjson
 
 from epf_gcs import __version__
 from epf_gcs.access.control import Control
+from epf_gcs.contract.status import Status
+from epf_gcs.contract.surroundings import SurroundingsState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.repeating import Repeating
 from epf_gcs.web.stream.hub import Hub
@@ -21,11 +23,11 @@ class WholeStatus:
 
     def __init__(
         self,
-        flight: Callable[[], dict[str, Any]],
+        flight: Callable[[], Status],
         control: Control,
         errors: ErrorLog,
         hub: Hub,
-        around: Callable[[], dict[str, Any]],
+        around: Callable[[], SurroundingsState],
     ) -> None:
         self._flight = flight
         self._control = control
@@ -36,22 +38,21 @@ class WholeStatus:
         # Samples of the stick that did not count: their page has no control.
         self.strange_samples = 0
 
-    def build(self) -> dict[str, Any]:
-        """Plain values."""
+    def build(self) -> Status:
+        """The flight process's part and the web process's own."""
         known = self._flight()
-        hil = known["hil"]
+        stick = known.hil.stick
         if self.strange_samples:
-            samples = Counter(hil["stick"]["samples"]) + Counter(not_operator=self.strange_samples)
-            hil = {**hil, "stick": {**hil["stick"], "samples": samples}}
-        return {
-            **known,
-            "hil": hil,
-            "version": __version__,
-            "control": self._control.state(),
-            "surroundings": self._around(),
-            "errors": Counter(known["errors"]) + self._errors.counts,
-            "viewers": len(self._hub.viewers),
-        }
+            stick = replace(stick, samples=dict(Counter(stick.samples) + Counter(not_operator=self.strange_samples)))
+        return replace(
+            known,
+            hil=replace(known.hil, stick=stick),
+            version=__version__,
+            control=self._control.state(),
+            surroundings=self._around(),
+            errors=dict(Counter(known.errors) + self._errors.counts),
+            viewers=len(self._hub.viewers),
+        )
 
     def text(self) -> bytes:
         """The status as JSON."""

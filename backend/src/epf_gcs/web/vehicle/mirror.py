@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Final
 
 import structlog
 
 from epf_gcs.bus.definition import Named
 from epf_gcs.clock import Clock
+from epf_gcs.contract.hello import ControlHolder, Hello
+from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.status import Status
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.stream.hub import Hub
-from epf_gcs.web.vehicle.blank import blank_status, status_without_flight
+from epf_gcs.web.vehicle.absent_flight import status_without_flight
 
 # Age limit of topics that the status gives none for: they arrive only on request and have no rate.
 _UNKNOWN_LASTS_S: Final = 3.0
@@ -29,14 +32,14 @@ class VehicleMirror:
         clock: Clock,
         *,
         on_change: Callable[[], None],
-        on_here: Callable[[dict[str, Any] | None], None],
+        on_here: Callable[[ControlHolder | None], None],
     ) -> None:
         self._hub = hub
         self._clock = clock
         self._on_change = on_change
         self._on_here = on_here
         self._listeners: dict[str, Callable[[float, Values], None]] = {}
-        self._status: dict[str, Any] | None = None
+        self._status: Status | None = None
         self._lost_s: float | None = None
         self.is_here = False
 
@@ -45,17 +48,17 @@ class VehicleMirror:
         self._listeners[topic] = listener
 
     @property
-    def status(self) -> dict[str, Any]:
+    def status(self) -> Status:
         """The status sent last; without the flight process, one that marks everything as lost."""
         if self.is_here and self._status is not None:
             return self._status
         now_s = self._clock.now_s()
-        return status_without_flight(self._status or blank_status(), now_s, self._lost_s or now_s)
+        return status_without_flight(self._status or Status(), now_s, self._lost_s or now_s)
 
     @property
     def is_emulated(self) -> bool:
         """Whether the data is emulated and not a flight's."""
-        return self.is_here and self._status is not None and bool(self._status["board"]["emulated"])
+        return self.is_here and self._status is not None and self._status.board.emulated
 
     def newest(self, topic: str) -> Values | None:
         """The newest values of a topic, however old."""
@@ -72,18 +75,18 @@ class VehicleMirror:
         sample = self._hub.state.samples().get(topic)
         if sample is None or not self.is_here or self._status is None:
             return False
-        health = self._status["topics"].get(topic)
-        limit_s = _UNKNOWN_LASTS_S if health is None else health["stale_after_s"]
+        health = self._status.topics.get(topic)
+        limit_s = _UNKNOWN_LASTS_S if health is None else health.stale_after_s
         return limit_s is None or self._clock.now_s() - sample.t_s <= limit_s
 
-    def on_hello(self, hello: dict[str, Any]) -> None:
+    def on_hello(self, hello: Hello) -> None:
         """The flight process connected."""
-        self._clock.follow(int(hello["clock_offset_ns"]))
-        self._status = hello["status"]
+        self._clock.follow(hello.clock_offset_ns)
+        self._status = hello.status
         was_lost, self._lost_s = self._lost_s is not None, None
         self.is_here = True
-        log.info("the flight process is there", version=hello["version"])
-        self._on_here(hello["control"])
+        log.info("the flight process is there", version=hello.version)
+        self._on_here(hello.control)
         if was_lost:
             self._hub.event("flight", {"state": "back"})
         self._on_change()
@@ -103,16 +106,16 @@ class VehicleMirror:
         """Pass an event on to the viewers."""
         self._hub.send_event(event.text)
 
-    def learn(self, status: dict[str, Any]) -> None:
+    def learn(self, status: Status) -> None:
         """Take the status from the answer to a request, without calling `on_change`."""
         self._status = status
 
-    def on_status(self, status: dict[str, Any]) -> None:
+    def on_status(self, status: Status) -> None:
         """Take a new status."""
         self._status = status
         self._on_change()
 
-    def on_playback(self, playback: dict[str, Any]) -> None:
+    def on_playback(self, playback: Playback) -> None:
         """A live vehicle does not say this."""
 
     def on_silence(self, *, silent: bool) -> None:

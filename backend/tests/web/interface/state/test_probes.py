@@ -12,11 +12,12 @@ import pytest
 from fastapi import FastAPI
 
 from epf_gcs.access.caller import LOCAL
+from epf_gcs.contract.status import Status
 from epf_gcs.web.interface.state.probes import disk_of, probe_router
-from epf_gcs.web.interface.state.schemas import Status
 from epf_gcs.web.state.figures import Disk, WebFigures
 from epf_gcs.web.state.health import LEAST_FREE_BYTES, health
 from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
+from tests.support.contract import read_as
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import FlightThread, Gateway
 from tests.support.waiting import eventually
@@ -33,7 +34,7 @@ def status(gateway: Gateway, board: FakeBoard) -> dict[str, Any]:
     gateway.open_board(board.url)
     eventually(lambda: gateway.status()["recording"]["active"], "it is recorded")
     found = gateway.status()
-    Status.model_validate(found)
+    read_as(Status, found)
     return found
 
 
@@ -66,7 +67,7 @@ def read(text: str) -> dict[tuple[str, str], float]:
 
 
 def test_all_is_well(status: dict[str, Any]) -> None:
-    code, body = health(status, ROOM)
+    code, body = health(read_as(Status, status), ROOM)
     assert (code, body["status"], body["failed"]) == (200, "ok", [])
     states = {name: part["state"] for name, part in body["parts"].items()}
     assert states == {
@@ -84,7 +85,7 @@ def test_each_part_that_failed_is_named(status: dict[str, Any]) -> None:
         changed = copy.deepcopy(status)
         for part, values in changes.items():
             changed[part] |= values
-        code, body = health(changed, ROOM)
+        code, body = health(read_as(Status, changed), ROOM)
         return code, body["failed"]
 
     assert after(board={"state": "lost"}) == (503, ["board"])
@@ -102,9 +103,9 @@ def test_each_part_that_failed_is_named(status: dict[str, Any]) -> None:
 def test_without_the_flight_process_or_a_disk_it_is_not_well(status: dict[str, Any], tmp_path: Path) -> None:
     code, body = health(None, ROOM)
     assert (code, body["failed"]) == (503, ["flight"])
-    assert health(status, Disk(LEAST_FREE_BYTES - 1, ROOM.total_bytes))[1]["failed"] == ["disk"]
+    assert health(read_as(Status, status), Disk(LEAST_FREE_BYTES - 1, ROOM.total_bytes))[1]["failed"] == ["disk"]
     assert disk_of(tmp_path / "gone") is None
-    assert health(status, disk_of(tmp_path / "gone"))[1]["failed"] == ["disk"]
+    assert health(read_as(Status, status), disk_of(tmp_path / "gone"))[1]["failed"] == ["disk"]
     assert disk_of(tmp_path) is not None
 
 
@@ -113,7 +114,7 @@ def test_the_figures_are_those_of_the_status(status: dict[str, Any]) -> None:
     status["errors"] = {"internal": 2, 'odd"\\\n': 1}
     status["recording"]["hours_left"] = 41.5
     web = WebFigures(answers={200: 7, 404: 1}, connections=3, sockets=2, refused={"socket": 4})
-    found = read(metrics(status, ROOM, web))
+    found = read(metrics(read_as(Status, status), ROOM, web))
     assert found["epf_flight_up", ""] == 1
     assert found["epf_board_frames_total", ""] == status["board"]["frames_received"] > 0
     assert found["epf_board_link", "open"] == 1
@@ -132,7 +133,7 @@ def test_the_figures_are_those_of_the_status(status: dict[str, Any]) -> None:
 
 
 def test_what_is_not_known_is_left_out(gateway: Gateway) -> None:
-    found = read(metrics(gateway.status(), None, WebFigures()))
+    found = read(metrics(read_as(Status, gateway.status()), None, WebFigures()))
     assert not [key for key in found if key[0] in ("epf_board_heartbeat_age_seconds", "epf_hil_round_trip_seconds")]
     alone = read(metrics(None, ROOM, WebFigures()))
     assert alone["epf_flight_up", ""] == 0

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from epf_gcs.web.interface.state.schemas import Sample, Status
+from epf_gcs.contract.answers import Sample
+from epf_gcs.contract.status import Status
+from tests.support.contract import read_as
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
 
 
 def test_the_status_has_the_documented_shape_with_and_without_a_board(gateway: Gateway, board: FakeBoard) -> None:
-    Status.model_validate(gateway.status())
+    read_as(Status, gateway.status())
     gateway.open_board(board.url)
     gateway.http.put("/links/simulator", json={"receive_port": 1, "send_host": "127.0.0.1"})
     gateway.http.post("/commands/ahrs_on").raise_for_status()
     eventually(lambda: "ahrs" in gateway.status()["topics"], "telemetry arrives")
     eventually(lambda: gateway.status()["recording"]["active"], "it records")
-    status = Status.model_validate(gateway.status())
+    status = read_as(Status, gateway.status())
     assert status.board.mode == "extended"
     assert status.board.firmware is not None
     assert status.board.firmware.name == "fake"
@@ -27,7 +29,7 @@ def test_the_newest_value_of_every_topic_has_its_age(gateway: Gateway, board: Fa
     gateway.open_board(board.url)
     gateway.http.post("/commands/ahrs_on").raise_for_status()
     eventually(lambda: "ahrs" in gateway.http.get("/telemetry").json(), "telemetry arrives")
-    ahrs = Sample.model_validate(gateway.http.get("/telemetry").json()["ahrs"])
+    ahrs = read_as(Sample, gateway.http.get("/telemetry").json()["ahrs"])
     assert ahrs.values == {"yaw_deg": 10.0, "pitch_deg": 5.0, "roll_deg": -3.0}
     assert ahrs.age_s < 20
 

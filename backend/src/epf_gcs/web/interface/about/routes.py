@@ -11,6 +11,7 @@ from fastapi import APIRouter
 
 from epf_gcs import __version__
 from epf_gcs.contract.shapes import Output
+from epf_gcs.contract.status import Firmware
 from epf_gcs.web.interface.about.packages import packages
 from epf_gcs.web.interface.deps import MirrorDep
 from epf_gcs.web.serving.problems import reading_problems
@@ -48,14 +49,14 @@ class About(Output):
 async def get_about(mirror: MirrorDep) -> About:
     """Versions of the gateway, of Python and of the board, and the packages in use with their licences."""
     found = await asyncio.to_thread(packages)
-    board = mirror.status["board"]
-    firmware = board["firmware"] or {"name": None, "version": None}
+    board = mirror.status.board
+    firmware = board.firmware or Firmware(None, None)
     return About.model_validate(
         {
             "version": __version__,
             "python": platform.python_version(),
             "platform": f"{platform.system()} {platform.machine()}",
-            "board": {**firmware, "mode": board["mode"]} if board["state"] == "open" and board["mode"] else None,
+            "board": {**asdict(firmware), "mode": board.mode} if board.state == "open" and board.mode else None,
             "packages": [asdict(package) for package in found],
         }
     )

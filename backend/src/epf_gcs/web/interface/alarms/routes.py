@@ -6,10 +6,12 @@ from typing import Annotated
 
 from fastapi import APIRouter, Body, Path
 
+from epf_gcs.contract.answers import AlarmBook
+from epf_gcs.contract.requests import AcknowledgeAlarm, ChooseThresholds, ReadAlarms, ReadThresholds
+from epf_gcs.contract.status import AlarmState
 from epf_gcs.vehicle.thresholds import THRESHOLDS
-from epf_gcs.web.interface.alarms.schemas import AlarmBook, ThresholdList, ThresholdState
+from epf_gcs.web.interface.alarms.schemas import ThresholdList, ThresholdState
 from epf_gcs.web.interface.deps import OperatorDep, VehicleDep
-from epf_gcs.web.interface.state.schemas import AlarmState
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/alarms", tags=["alarms"])
@@ -18,13 +20,13 @@ router = APIRouter(prefix="/alarms", tags=["alarms"])
 @router.get("", responses=reading_problems())
 async def get_alarms(vehicle: VehicleDep) -> AlarmBook:
     """What is wrong now, and what was wrong since the gateway started."""
-    return AlarmBook.model_validate(await vehicle.request("alarms.read"))
+    return await vehicle.ask(ReadAlarms())
 
 
 @router.get("/thresholds", responses=reading_problems())
 async def get_thresholds(vehicle: VehicleDep) -> ThresholdList:
     """From when on something is an alarm."""
-    return _thresholds(await vehicle.request("alarms.thresholds"))
+    return _thresholds(await vehicle.ask(ReadThresholds()))
 
 
 @router.put("/thresholds", responses=problems(404, 409))
@@ -36,7 +38,7 @@ async def put_thresholds(
     operator: OperatorDep,
 ) -> ThresholdList:
     """Change some limits; all of them or none. They are kept over restarts."""
-    return _thresholds(await vehicle.request("alarms.choose", operator, **changes))
+    return _thresholds(await vehicle.ask(ChooseThresholds(changes), operator))
 
 
 @router.post("/{alarm_id}/acknowledge", responses=problems(404, 409))
@@ -44,7 +46,7 @@ async def acknowledge_alarm(
     alarm_id: Annotated[str, Path(max_length=64, examples=["battery_low"])], vehicle: VehicleDep, operator: OperatorDep
 ) -> AlarmState:
     """The operator knows: the alarm is shown quietly until its cause goes."""
-    return AlarmState.model_validate(await vehicle.request("alarms.acknowledge", operator, id=alarm_id))
+    return await vehicle.ask(AcknowledgeAlarm(alarm_id), operator)
 
 
 def _thresholds(values: dict[str, float]) -> ThresholdList:

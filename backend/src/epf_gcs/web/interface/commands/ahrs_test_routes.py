@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fastapi import APIRouter
 
-from epf_gcs.web.interface.commands.schemas import CommandOutcome
+from epf_gcs.contract.answers import CommandOutcome
+from epf_gcs.contract.requests import StartAhrsTest, StopAhrsTest
 from epf_gcs.web.interface.deps import OperatorDep, VehicleDep
 from epf_gcs.web.serving.problems import problems
 
@@ -14,10 +15,10 @@ router = APIRouter(tags=["commands"])
 @router.post("/ahrs-test", responses=problems(409))
 async def post_ahrs_test(vehicle: VehicleDep, operator: OperatorDep) -> CommandOutcome:
     """Begin the test; proved by its first record. Until it ends the board takes no command and sends nothing else."""
-    return CommandOutcome.model_validate(await vehicle.request("ahrs_test.start", operator))
+    return await vehicle.ask(StartAhrsTest(), operator)
 
 
 @router.delete("/ahrs-test", responses=problems(409))
 async def delete_ahrs_test(vehicle: VehicleDep, operator: OperatorDep) -> CommandOutcome:
     """End the test; proved by the board's next heartbeat, after which its streams are what they were."""
-    return CommandOutcome.model_validate(await vehicle.request("ahrs_test.stop", operator))
+    return await vehicle.ask(StopAhrsTest(), operator)

@@ -8,19 +8,20 @@ from fastapi import APIRouter
 
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.tables import Message
+from epf_gcs.contract.answers import CommandOutcome
+from epf_gcs.contract.requests import ReadHil, RunCommand, SendLine, SetHil
+from epf_gcs.contract.status import HilState
 from epf_gcs.errors import InvalidInputError, NotFoundError
 from epf_gcs.web.interface.commands.arguments import ArgumentFault, read_arguments
 from epf_gcs.web.interface.commands.schemas import (
     Argument,
     CommandInfo,
     CommandList,
-    CommandOutcome,
     CommandValue,
     ConsoleLine,
     HilInput,
 )
 from epf_gcs.web.interface.deps import MirrorDep, OperatorDep, VehicleDep
-from epf_gcs.web.interface.state.schemas import HilState
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["commands"])
@@ -43,8 +44,8 @@ OFFERED: Final = {name: command for name, command in COMMANDS.items() if name no
 @router.get("/commands", responses=reading_problems())
 async def get_commands(mirror: MirrorDep) -> CommandList:
     """All commands with their arguments and ranges."""
-    board = mirror.status["board"]
-    mode = board["mode"] if board["state"] == "open" else None
+    board = mirror.status.board
+    mode = board.mode if board.state == "open" else None
     return CommandList(commands=[_info(command, mode) for command in OFFERED.values()])
 
 
@@ -62,13 +63,13 @@ async def post_command(
         arguments = read_arguments(command, body.value if body is not None else None)
     except ArgumentFault as fault:
         raise InvalidInputError("value_not_allowed", fault.sentence, command=name, field=fault.field) from fault
-    return CommandOutcome.model_validate(await vehicle.request("command", operator, name=name, arguments=arguments))
+    return await vehicle.ask(RunCommand(name, list(arguments)), operator)
 
 
 @router.get("/hil", responses=reading_problems(409))
 async def get_hil(vehicle: VehicleDep) -> HilState:
     """The two switches, and where the stick comes from."""
-    return HilState.model_validate(await vehicle.request("hil.read"))
+    return await vehicle.ask(ReadHil())
 
 
 @router.put("/hil", responses=problems(409, 502))
@@ -77,13 +78,13 @@ async def put_hil(body: HilInput, vehicle: VehicleDep, operator: OperatorDep) ->
 
     A gamepad is that of the caller, who needs control and sends its samples on the stream before it is taken.
     """
-    return HilState.model_validate(await vehicle.request("hil.set", operator, **body.model_dump()))
+    return await vehicle.ask(SetHil(**body.model_dump()), operator)
 
 
 @router.post("/console", responses=problems(409))
 async def post_console(body: ConsoleLine, vehicle: VehicleDep, operator: OperatorDep) -> ConsoleLine:
     """Send a line of text to the board; what comes back is on the stream as `console` events."""
-    await vehicle.request("console", operator, text=body.text)
+    await vehicle.ask(SendLine(body.text), operator)
     return body
 
 

@@ -45,15 +45,6 @@ class CommandValue(Input):
     value: float | str | list[float | str] | dict[str, float | str] | None = None
 
 
-class CommandOutcome(Output):
-    """What became of a command; `reason` is the board's where it refused."""
-
-    state: Literal["confirmed", "rejected", "timed_out", "sent"]
-    by: Literal["acknowledgement", "heartbeat", "read_back", "none"]
-    ms: float
-    reason: Literal["bad_value", "bad_state", "unknown", "storage_failed", "not_taken"] | None
-
-
 class HilInput(Input):
     """Any of them. With the stick from a gamepad, `gamepad` is its name for people."""
 

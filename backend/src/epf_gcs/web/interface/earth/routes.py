@@ -9,6 +9,7 @@ from fastapi.responses import Response
 
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.requests import ReadPlan
 from epf_gcs.contract.shapes import PlanName
 from epf_gcs.formats import aircraft_model, kmz
 from epf_gcs.formats.kml import MEDIA_TYPE
@@ -72,7 +73,7 @@ async def get_earth_kml(
         Link(words.aircraft, f"{base}/earth/live.kml?lang={lang}{chosen}", _LIVE_S, moves_view=camera == "follow"),
         Link(words.track, f"{base}/track.kml?lang={lang}&points={_EARTH_POINTS}", _TRACK_S),
     ]
-    if mirror.status["board"]["features"]["missions"]:
+    if mirror.status.board.features.missions:
         # Loaded once and not refreshed, for each load is a transfer over the board's line.
         links += [
             Link(words.plan, f"{base}/plan.kml?plan=flight&lang={lang}", None),
@@ -116,7 +117,7 @@ async def get_aircraftmodel_bytes() -> Response:
 
 
 async def _read(vehicle: StationEnd, plan: PlanName) -> list[Waypoint]:
-    return [Waypoint(**waypoint) for waypoint in await vehicle.request("missions.read", plan=plan)]
+    return await vehicle.ask(ReadPlan(plan))
 
 
 def _base(request: Request) -> str:

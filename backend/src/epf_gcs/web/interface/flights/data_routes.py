@@ -11,13 +11,14 @@ import orjson
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 
+from epf_gcs.contract.answers import FlightKnown
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
 from epf_gcs.formats.track_points import MEDIA_TYPE
 from epf_gcs.library.flights import Flights, unknown
 from epf_gcs.library.marks import with_marks
 from epf_gcs.web.interface.deps import FlightsDep, QueriesDep
-from epf_gcs.web.interface.flights.schemas import FlightEvents, FlightKnown, FlightOverview, FlightTopics, Signals
+from epf_gcs.web.interface.flights.schemas import FlightEvents, FlightOverview, FlightTopics, Signals
 from epf_gcs.web.serving.problems import reading_problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])

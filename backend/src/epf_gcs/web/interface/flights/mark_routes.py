@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import orjson
 from fastapi import APIRouter, Path
 
+from epf_gcs.contract.requests import SetMark
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.library import marks
 from epf_gcs.library.flights import Flights
@@ -39,7 +40,7 @@ async def set_mark(
             raise InvalidInputError(
                 "invalid_request", "A mark in a finished flight needs its moment: send 'at_s'.", field="at_s"
             )
-        await vehicle.request("recording.mark", asker, text=mark.text, by=asker.name, ago_s=mark.ago_s)
+        await vehicle.ask(SetMark(mark.text, asker.name, mark.ago_s), asker)
         return await _events(flight, flights, queries)
     span = orjson.loads(await queries.ask("span", flight, growing=growing))
     mark_id, at_s, t_s = secrets.token_hex(6), mark.at_s, span["start_s"] + mark.at_s

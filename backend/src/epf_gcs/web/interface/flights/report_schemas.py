@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from epf_gcs.contract.answers import FlightIdentity
 from epf_gcs.contract.shapes import Output, PlanName
-from epf_gcs.web.interface.flights.schemas import FlightIdentity
 
 ManoeuvreKind = Literal["climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"]
 LoopName = Literal["altitude", "heading", "speed"]

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Final, Literal
 from fastapi import APIRouter, Path, Query, Request
 from starlette.requests import ClientDisconnect
 
+from epf_gcs.contract.answers import DiskPolicy
 from epf_gcs.contract.shapes import file_body
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.library.about import About
@@ -16,7 +17,6 @@ from epf_gcs.library.flights import Flights
 from epf_gcs.library.folder import KEPT_S
 from epf_gcs.library.imports import incomplete, most_import_bytes
 from epf_gcs.library.library import Row, Sort, Wanted
-from epf_gcs.library.policy import Policy
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.interface.flights.schemas import (
@@ -100,7 +100,7 @@ async def get_flight_bin(flights: FlightsDep) -> FlightBin:
 @router.put("/policy", responses=problems(409))
 async def set_flight_policy(choice: FlightPolicyInput, flights: FlightsDep, _: OperatorDep) -> FlightDisk:
     """Choose what happens when the disk fills."""
-    await flights.set_policy(Policy(choice.delete_oldest, choice.keep_free_bytes))
+    await flights.set_policy(DiskPolicy(choice.delete_oldest, choice.keep_free_bytes))
     return await _disk(flights)
 
 
@@ -211,7 +211,7 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
         clock_ahead_s=known.get("clock_ahead_s", 0.0),
         clock_unsure=known.get("clock_unsure", False),
         duration_s=(known["ended_ns"] - known["started_ns"]) * 1e-9 if known else None,
-        bytes=mirror.status["recording"]["bytes"] if active else row.bytes,
+        bytes=mirror.status.recording.bytes if active else row.bytes,
         marks=known["marks"] + added - hidden if known else None,
         emulated=bool(known.get("emulated", False)),
         imported=about.imported,

@@ -9,13 +9,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, StringConstraints
 
-from epf_gcs.contract.shapes import Input, Output, ParamValue, PlanName
+from epf_gcs.contract.shapes import Input, Output, ParamValue
 from epf_gcs.errors import ErrorCode
 from epf_gcs.formats.kml_words import Language
 from epf_gcs.recordings.export_names import ExportFormat
 from epf_gcs.web.interface.flights.settings_schemas import FlightDisk
-from epf_gcs.web.interface.missions.schemas import WaypointModel
-from epf_gcs.web.interface.parameters.schemas import ParameterState
 
 FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
 JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
@@ -256,40 +254,6 @@ class FlightTopics(Output):
     """All topics that have samples."""
 
     topics: list[FlightTopic]
-
-
-class FlightIdentity(Output):
-    """What flew, and with which station."""
-
-    station: str | None
-    board: str | None
-    firmware: str | None
-    aircraft: str | None
-    operator: str | None
-    emulated: bool
-
-
-class KnownMission(Output):
-    """A plan as it was known; `waypoints` is null while it was not read."""
-
-    plan: PlanName
-    waypoints: list[WaypointModel] | None
-
-
-class KnownMissions(Output):
-    """Both plans; null where the recording does not say."""
-
-    flight: KnownMission | None
-    hil: KnownMission | None
-
-
-class FlightKnown(Output):
-    """What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted."""
-
-    at_s: float
-    identity: FlightIdentity
-    parameters: list[ParameterState] | None
-    missions: KnownMissions
 
 
 class FlightOverview(Output):

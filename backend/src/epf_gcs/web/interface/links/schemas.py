@@ -7,16 +7,8 @@ from typing import Literal
 from pydantic import Field
 
 from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
-from epf_gcs.contract.shapes import Input, LinkState, Output, Port
-
-
-class PortState(Output):
-    """A serial port. `identity` is the same wherever the device is plugged in."""
-
-    path: str
-    url: str
-    description: str
-    identity: str | None
+from epf_gcs.contract.answers import PortState
+from epf_gcs.contract.shapes import Input, Output, Port
 
 
 class Ports(Output):
@@ -38,10 +30,3 @@ class SimulatorLink(Input):
     send_host: str = Field("127.0.0.1", min_length=1, max_length=253, pattern=r"^[A-Za-z0-9._:\-]+$")
     send_port: Port = SEND_PORT
     profile: Literal["xp10", "xp12"] = "xp10"
-
-
-class LinkResult(Output):
-    """A link after it was opened."""
-
-    state: LinkState
-    url: str

@@ -24,8 +24,8 @@ async def _folder_of(path: RecordingsDirDep, mirror: MirrorDep) -> RecordingFold
     """The only part of the station that these routes use."""
 
     def growing() -> Growing | None:
-        recording = mirror.status["recording"]
-        return Growing(recording["file"], recording["bytes"]) if recording["active"] else None
+        recording = mirror.status.recording
+        return None if recording.file is None or not recording.active else Growing(recording.file, recording.bytes)
 
     return RecordingFolder(path, growing)
 

@@ -11,8 +11,9 @@ from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
 from epf_gcs.access.caller import Caller
+from epf_gcs.contract.status import Status
 from epf_gcs.web.interface.deps import caller_of
-from epf_gcs.web.state.figures import Disk, Status, WebFigures
+from epf_gcs.web.state.figures import Disk, WebFigures
 from epf_gcs.web.state.health import health
 from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
 

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+from dataclasses import asdict
 from typing import Final
 
 import orjson
 from fastapi import APIRouter, Response
+from pydantic import TypeAdapter
 
+from epf_gcs.contract.answers import Sample
+from epf_gcs.contract.requests import ReadStatus, ReadTelemetry
+from epf_gcs.contract.status import Status
 from epf_gcs.errors import ConflictError, InvalidInputError, UnavailableError
 from epf_gcs.web.interface.deps import AdmittedDep, ControlDep, MirrorDep, StatusDep, VehicleDep
-from epf_gcs.web.interface.state.schemas import ControlDetails, ControlInput, Sample, Status
+from epf_gcs.web.interface.state.schemas import ControlDetails, ControlInput
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["state"])
@@ -29,20 +34,20 @@ async def get_status(status: StatusDep, vehicle: VehicleDep, mirror: MirrorDep) 
     if vehicle.is_connected:
         with contextlib.suppress(TimeoutError, UnavailableError, ConflictError):
             async with asyncio.timeout(_OWN_CHANGE_S):
-                mirror.learn(await vehicle.request("status"))
+                mirror.learn(await vehicle.ask(ReadStatus()))
     return Response(status.text(), media_type="application/json")
 
 
 @router.get("/telemetry", response_model=dict[str, Sample], responses=reading_problems(409))
 async def get_telemetry(vehicle: VehicleDep) -> Response:
     """The newest sample of every topic, with its age."""
-    return Response(orjson.dumps(await vehicle.request("telemetry")), media_type="application/json")
+    return Response(orjson.dumps(await vehicle.ask(ReadTelemetry())), media_type="application/json")
 
 
 @router.get("/control", responses=reading_problems())
 async def get_control(control: ControlDep) -> ControlDetails:
     """Who may command, who asks for it, and who is there."""
-    return ControlDetails.model_validate({**control.state(), "pages": control.pages()})
+    return TypeAdapter(ControlDetails).validate_python({**asdict(control.state()), "pages": control.pages()})
 
 
 @router.post("/control", responses=problems(404, 409))

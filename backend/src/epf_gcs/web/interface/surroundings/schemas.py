@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from epf_gcs.contract.shapes import Output, ParamValue
 from epf_gcs.formats.fence_file import FenceFileFormat, FenceNoteCode
 from epf_gcs.surroundings.choice import FenceCorner
@@ -41,40 +39,3 @@ class FenceImport(Output):
     corners: list[FenceCorner]
     ceiling_ft: float | None
     notes: list[FenceNote]
-
-
-class TrackPlace(Output):
-    """A place on the present track."""
-
-    latitude_deg: float
-    longitude_deg: float
-
-
-class ThreatAhead(Output):
-    """What the present track leads to: in `in_s` (0: now), at this place, at this altitude above the sea."""
-
-    what: Literal["terrain", "fence", "ceiling"]
-    in_s: float
-    latitude_deg: float
-    longitude_deg: float
-    altitude_ft: float
-
-
-class AircraftAround(Output):
-    """Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
-    there is a warning. `outside`: beyond the fence's border or over its ceiling."""
-
-    blind: Literal["no_position", "no_heights", "no_heights_here"] | None
-    ground_ft: float | None
-    height_ft: float | None
-    terrain: ThreatAhead | None
-    fence: ThreatAhead | None
-    outside: bool
-    path: list[TrackPlace]
-
-
-class SurroundingsState(Output):
-    """The board's aircraft by its GPS, and the simulator's."""
-
-    flight: AircraftAround
-    hil: AircraftAround
