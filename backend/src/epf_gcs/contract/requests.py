@@ -114,7 +114,7 @@ class RunCommand(Request[CommandOutcome]):
     """Send a command and wait for its proof. The arguments are checked already."""
 
     name: str
-    arguments: list[float]
+    arguments: list[bool | int | float]
 
 
 @dataclass(frozen=True, slots=True)
