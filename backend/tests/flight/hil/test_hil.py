@@ -256,7 +256,7 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
 
     await eventually_async(moves, "it flies on, and the alarm goes")
     newest = await station._requests[ReadTelemetry](ReadTelemetry(), Asker())
-    assert not newest["simulator"]["stale"]
+    assert not newest["simulator"].stale
     await eventually_async(lambda: moves() and station.hil.round_trip.answers > answers, "and it is measured again")
 
 
