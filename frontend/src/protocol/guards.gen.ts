@@ -735,19 +735,19 @@ export const isFlightIdentity = shape({
 });
 export type FlightIdentity = Checked<typeof isFlightIdentity>;
 
-/** WGS84 degrees, feet above mean sea level, knots indicated. */
-export const isWaypointModel = shape({
+/** WGS84 degrees (+ north, + east), feet above mean sea level, knots indicated. */
+export const isWaypoint = shape({
   altitude_ft: isNumber,
   latitude_deg: isNumber,
   longitude_deg: isNumber,
   speed_kt: isNumber,
 });
-export type WaypointModel = Checked<typeof isWaypointModel>;
+export type Waypoint = Checked<typeof isWaypoint>;
 
 /** A plan as it was known; `waypoints` is null while it was not read. */
 export const isKnownMission = shape({
   plan: oneOf("flight", "hil"),
-  waypoints: nullable(list(isWaypointModel)),
+  waypoints: nullable(list(isWaypoint)),
 });
 export type KnownMission = Checked<typeof isKnownMission>;
 
@@ -1124,6 +1124,15 @@ export const isMe = shape({
 });
 export type Me = Checked<typeof isMe>;
 
+/** WGS84 degrees, feet above mean sea level, knots indicated. */
+export const isWaypointModel = shape({
+  altitude_ft: isNumber,
+  latitude_deg: isNumber,
+  longitude_deg: isNumber,
+  speed_kt: isNumber,
+});
+export type WaypointModel = Checked<typeof isWaypointModel>;
+
 /** The plan that the board has. */
 export const isMission = shape({
   plan: oneOf("flight", "hil"),
@@ -1410,7 +1419,7 @@ export const isTopicHealth = shape({
 });
 export type TopicHealth = Checked<typeof isTopicHealth>;
 
-/** The whole state of the station. */
+/** The whole state of the station. `version`, `control`, `surroundings` and `viewers` are the web process's. */
 export const isStatus = shape({
   alarms: list(isAlarmState),
   board: isBoardStatus,

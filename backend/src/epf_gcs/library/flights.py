@@ -14,11 +14,11 @@ import structlog
 
 from epf_gcs.clock import Clock
 from epf_gcs.contract.answers import DiskPolicy
-from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.extras import FLIGHTS
 from epf_gcs.library.about import About
 from epf_gcs.library.aircraft import AircraftNameChoice
-from epf_gcs.library.folder import Deleted, FlightFolder
+from epf_gcs.library.folder import Deleted, FlightFolder, unknown
 from epf_gcs.library.jobs import Job, Jobs
 from epf_gcs.library.library import Library, Row, Wanted
 from epf_gcs.library.policy import PolicyChoice
@@ -344,10 +344,3 @@ class Flights:
         for folder in (self.places.incoming, self.places.exports):
             shutil.rmtree(folder, ignore_errors=True)
         self._folder.drop_half_packed("*")
-
-
-def unknown(flight: str) -> NotFoundError:
-    """There is no such flight."""
-    return NotFoundError(
-        "flight_unknown", f"There is no flight '{flight}': GET /api/v1/flights lists all of them.", flight=flight
-    )

@@ -143,3 +143,10 @@ def _size(path: Path) -> int:
         return sum(_size(Path(entry.path)) for entry in os.scandir(path))
     except OSError:
         return 0
+
+
+def unknown(flight: str) -> NotFoundError:
+    """There is no such flight."""
+    return NotFoundError(
+        "flight_unknown", f"There is no flight '{flight}': GET /api/v1/flights lists all of them.", flight=flight
+    )

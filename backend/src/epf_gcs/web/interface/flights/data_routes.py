@@ -15,7 +15,8 @@ from epf_gcs.contract.answers import FlightKnown
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
 from epf_gcs.formats.track_points import MEDIA_TYPE
-from epf_gcs.library.flights import Flights, unknown
+from epf_gcs.library.flights import Flights
+from epf_gcs.library.folder import unknown
 from epf_gcs.library.marks import with_marks
 from epf_gcs.web.interface.deps import FlightsDep, QueriesDep
 from epf_gcs.web.interface.flights.schemas import FlightEvents, FlightOverview, FlightTopics, Signals
