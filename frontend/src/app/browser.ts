@@ -1,5 +1,6 @@
 import { browserSounder, browserSpeaker } from "../features/alarms/browserAlarms";
 import { browserGamepads } from "../features/gamepad/browserGamepads";
+import { BROWSER_TIMERS } from "../lib/timers";
 import type { BrowserStorage } from "../store/settings";
 import type { UploadInit } from "../transport/rest";
 import type { Wire, WireListener } from "../transport/socket";
@@ -12,13 +13,7 @@ const RATE_HZ = 60;
 /** What the page needs, taken from the browser's window. */
 export function browserWorld(window: Window & typeof globalThis): World {
   return {
-    timers: {
-      now_ms: () => window.performance.now(),
-      after: (delay_ms, run) => {
-        const handle = window.setTimeout(run, delay_ms);
-        return () => window.clearTimeout(handle);
-      },
-    },
+    timers: BROWSER_TIMERS,
     wall_ms: () => Date.now(),
     dial: (client, listener) => dial(window, client === null ? {} : { client }, listener),
     dialFlight: ({ flight, at_s }, listener) => dial(window, { flight, at_s: at_s.toFixed(3) }, listener),

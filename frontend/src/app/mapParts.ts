@@ -19,7 +19,7 @@ export function createMapParts(
   report: (error: unknown) => void,
 ): { readonly addTo: (parts: Parts) => Parts; readonly takeEvent: (event: StreamEvent) => void } {
   const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers });
-  const { field, takeFieldEvent } = createFields({ ...asking, onChanged: () => void mapLayers.read() });
+  const { field, takeFieldEvent } = createFields({ ...asking, onChanged: () => mapLayers.read() });
   const { trackLog, takeTrackEvent } = createTrackLog({ rest: asking.rest, timers, report });
   const { surroundings, takeSurroundingsEvent } = createSurroundings(asking.rest);
   return {

@@ -107,7 +107,8 @@ export function createPage(world: World): {
   const parameterValues = createParameters();
   const plans = createPlans(world.storage);
   const sourceReturn = createSourceReturn();
-  const now_ms = world.timers.now_ms;
+  const timers: Timers = { ...world.timers, report: fail };
+  const { now_ms } = timers;
   const pump = new Pump(world.animationFrames, () => telemetry.revision + pasts.revision(), now_ms(), fail);
   const client = (): string | null => connection.getState().client;
   const tell = messages.announce;
@@ -190,7 +191,7 @@ export function createPage(world: World): {
 
   const socket = new StreamSocket({
     dial: (listener) => world.dial(client() ?? rememberedClient(world.tabStorage), listener),
-    timers: world.timers,
+    timers,
     onMessage: take,
     onState: ({ kind }) => {
       if (kind !== "open") {
@@ -214,19 +215,19 @@ export function createPage(world: World): {
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
   const { entry, begin, review } = createEntry({
     rest,
-    timers: world.timers,
+    timers,
     admission,
     addressed,
     isEncrypted: world.address.read().startsWith("https:"),
     start: () => socket.start(),
     stop: shutOut,
   });
-  const servos = createServoSliders({ rest, timers: world.timers, client, tell });
+  const servos = createServoSliders({ rest, timers, client, tell });
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
   const actions = createActions({ ...asking, client });
   const gamepads = createGamepadInput({
     reader: world.gamepads,
-    timers: world.timers,
+    timers,
     connection,
     settings,
     setStick: actions.setStick,
@@ -239,15 +240,15 @@ export function createPage(world: World): {
     connection,
     telemetry,
     settings,
-    timers: world.timers,
+    timers,
     sounder: world.sounder,
     speaker: world.speaker,
   });
-  const map = createMapParts(asking, world.timers, fail);
-  const address = createFlightAddress(world.address, world.timers);
+  const map = createMapParts(asking, timers, fail);
+  const address = createFlightAddress(world.address, timers);
   const playback: Playback = createPlayback({
     rest,
-    timers: world.timers,
+    timers,
     address,
     isRecording: () => connection.getState().status?.recording.active === true,
     open: (place, listener) => pasts.open(place, listener),
@@ -256,7 +257,7 @@ export function createPage(world: World): {
   const reports = createReports(rest, (flight, compare) => keepReport(world.address, flight, compare));
   const { flights, takeFlightEvent } = createFlights({
     ...asking,
-    timers: world.timers,
+    timers,
     connection,
     openFlight: playback.openFlight,
     play: playback.play,
@@ -265,19 +266,19 @@ export function createPage(world: World): {
   });
   const book = createFlightBook({
     rest,
-    timers: world.timers,
+    timers,
     tabStorage: world.tabStorage,
     seen: { ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms },
   });
-  const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
+  const plots = createPlots({ rest, timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
   const parts = map
     .addTo(new Parts())
     .with(PLAYBACK, playback)
     .with(ENTRY, entry)
     .with(NEW_VERSION, newVersion)
-    .with(ACCESS_ADMIN, createAccessAdmin({ ...asking, timers: world.timers, address: world.address.read }))
-    .with(CONTROL_PAGES, createControlPages(rest, world.timers))
+    .with(ACCESS_ADMIN, createAccessAdmin({ ...asking, timers, address: world.address.read }))
+    .with(CONTROL_PAGES, createControlPages(rest, timers))
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
@@ -314,7 +315,7 @@ export function createPage(world: World): {
   const pasts = createPasts({
     present: page,
     asking,
-    timers: world.timers,
+    timers,
     playback,
     dial: world.dialFlight,
     onMalformed: malformed,

@@ -1,3 +1,4 @@
+import { Repeating } from "../lib/repeating";
 import type { Timers } from "../lib/timers";
 import type { StreamMessage } from "../protocol/envelope";
 import { batchNumber, parseMessage } from "../protocol/envelope";
@@ -55,17 +56,21 @@ export class StreamSocket {
   #looked_ms = 0;
   #wasHeldUp = false;
   #failures = 0;
-  #cancelTimer: () => void = () => undefined;
+  readonly #looks: Repeating;
+  readonly #dials: Repeating;
   #stopped = true;
 
   constructor(options: SocketOptions) {
     this.#options = options;
+    const timers = { ...options.timers, report: options.report };
+    this.#looks = new Repeating(timers, () => this.#check(), CHECK_EVERY_MS);
+    this.#dials = new Repeating(timers, () => this.#dial(), FIRST_RETRY_MS);
   }
 
   start(): void {
     if (this.#stopped) {
       this.#stopped = false;
-      this.#dial();
+      this.#dials.run();
     }
   }
 
@@ -91,7 +96,7 @@ export class StreamSocket {
     return true;
   }
 
-  #dial(): void {
+  #dial(): null {
     this.#become({ kind: "connecting" });
     this.#heard_ms = this.#options.timers.now_ms();
     let wire: Wire | null = null;
@@ -104,11 +109,12 @@ export class StreamSocket {
     } catch (error) {
       this.#options.report(error);
       this.#lost();
-      return;
+      return null;
     }
     this.#wire = wire;
     this.#looked_ms = this.#heard_ms;
-    this.#watch();
+    this.#looks.arm(CHECK_EVERY_MS);
+    return null;
   }
 
   #receive(wire: Wire, data: unknown): void {
@@ -133,14 +139,12 @@ export class StreamSocket {
   }
 
   /** Look at the silence every quarter of a second, for as long as the line stands. */
-  #watch(): void {
-    this.#cancelTimer = this.#options.timers.after(CHECK_EVERY_MS, () => {
-      if (this.#isHeldUp() || this.#look()) {
-        this.#watch();
-      } else {
-        this.#lost();
-      }
-    });
+  #check(): number | null {
+    if (this.#isHeldUp() || this.#look()) {
+      return CHECK_EVERY_MS;
+    }
+    this.#lost();
+    return null;
   }
 
   /**
@@ -174,11 +178,12 @@ export class StreamSocket {
     const retry_ms = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** this.#failures);
     this.#failures += 1;
     this.#become({ kind: "waiting", retry_ms });
-    this.#cancelTimer = this.#options.timers.after(retry_ms, () => this.#dial());
+    this.#dials.arm(retry_ms);
   }
 
   #hangUp(): void {
-    this.#cancelTimer();
+    this.#looks.cancel();
+    this.#dials.cancel();
     const wire = this.#wire;
     this.#wire = null;
     wire?.close();

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Check } from "../../lib/check";
+import { Polling } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import {
   type Addresses,
@@ -127,22 +128,13 @@ export function createAccessAdmin(parts: AdminParts): AccessAdmin {
     return store.getState()[list]?.find((one) => one.id === id)?.name ?? "";
   }
 
+  const polling = new Polling(timers, EVERY_MS, readLists);
+
   function watch(): () => void {
-    let isOver = false;
-    let cancel: () => void = () => undefined;
-    async function again(): Promise<void> {
-      await readLists();
-      if (!isOver) {
-        cancel = timers.after(EVERY_MS, () => void again());
-      }
-    }
-    void again();
+    const end = polling.watch();
     void read("addresses", isAddresses, (addresses) => ({ addresses }));
     void read("certificates", isCertificates, (certificates) => ({ certificates }));
-    return () => {
-      isOver = true;
-      cancel();
-    };
+    return end;
   }
 
   return {

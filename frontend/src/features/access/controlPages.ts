@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { Polling } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import { type ControlDetails, isControlDetails } from "../../protocol/guards.gen";
 import type { Gateway } from "../../requests/asking";
@@ -19,24 +20,9 @@ const EVERY_MS = 2000;
 
 export function createControlPages(rest: Gateway, timers: Timers): ControlPages {
   const store = createStore<{ readonly pages: Pages }>(() => ({ pages: [] }));
-  return {
-    store,
-    watch: () => {
-      let isOver = false;
-      let cancel: () => void = () => undefined;
-      async function again(): Promise<void> {
-        const answer = await rest.ask("GET", "/api/v1/control", isControlDetails);
-        if (isOver) {
-          return;
-        }
-        store.setState({ pages: answer.ok ? answer.value.pages : [] });
-        cancel = timers.after(EVERY_MS, () => void again());
-      }
-      void again();
-      return () => {
-        isOver = true;
-        cancel();
-      };
-    },
-  };
+  const polling = new Polling(timers, EVERY_MS, async () => {
+    const answer = await rest.ask("GET", "/api/v1/control", isControlDetails);
+    store.setState({ pages: answer.ok ? answer.value.pages : [] });
+  });
+  return { store, watch: polling.watch };
 }

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber } from "../../lib/check";
+import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import type { Problem } from "../../protocol/answers";
 import { isMe, type Me } from "../../protocol/guards.gen";
@@ -80,12 +81,19 @@ export function createEntry(parts: EntryParts): EntryProcess {
     message: null,
     retry_ms: null,
   }));
-  let cancel: () => void = () => undefined;
+  const asks = new Repeating(
+    timers,
+    async () => {
+      await ask();
+      return null;
+    },
+    WAITING_MS,
+  );
   let asked = 0;
   // Let in, and not yet known by the cookie that came with it.
   let isUnproven = false;
 
-  async function review(): Promise<void> {
+  async function ask(): Promise<void> {
     asked += 1;
     const mine = asked;
     const answer = await rest.ask("GET", ME, isMe);
@@ -99,14 +107,17 @@ export function createEntry(parts: EntryParts): EntryProcess {
       // A station that does not answer is dialled until it does, and asked again then.
       start();
     } else if (admission.getState().state === "waiting") {
-      waitOn();
+      asks.arm(WAITING_MS);
     }
   }
 
   function take(me: Me): void {
     const before = admission.getState();
     admission.setState(admissionOf(me));
-    cancel();
+    asks.cancel();
+    if (me.state === "waiting") {
+      asks.arm(WAITING_MS);
+    }
     if (me.state === "in") {
       store.setState({ key: null, message: null, retry_ms: null });
       start();
@@ -120,13 +131,6 @@ export function createEntry(parts: EntryParts): EntryProcess {
     } else if (before.state === "waiting" && me.state === "stranger") {
       store.setState({ message: { level: "warning", key: "access.notLetIn", params: {} } });
     }
-    if (me.state === "waiting") {
-      waitOn();
-    }
-  }
-
-  function waitOn(): void {
-    cancel = timers.after(WAITING_MS, () => void review());
   }
 
   async function tryTo(path: string, body: object, failed: (problem: Problem) => void): Promise<void> {
@@ -182,9 +186,9 @@ export function createEntry(parts: EntryParts): EntryProcess {
       if (addressed.key === null) {
         start();
       }
-      void review();
+      asks.run();
     },
-    review: () => void review(),
+    review: () => asks.run(),
   };
 }
 

@@ -1,3 +1,4 @@
+import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import { BOARD_RESTARTED } from "../../protocol/boardRestart";
 import { isAlarmBook, isThresholdList } from "../../protocol/guards.gen";
@@ -148,6 +149,9 @@ function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmLogStore, ri
   speaker.onState(look);
 }
 
+/** Whatever a sound throws, the alarms are examined again so soon. */
+const AFTER_FAILURE_MS = 1000;
+
 /**
  * Lets the annunciator examine the alarms and does what it decides. It runs after the present message has been
  * handled completely: half-way, a link may already be open while the status is still the old one.
@@ -156,11 +160,10 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
   const { connection, telemetry, settings, timers, sounder, speaker } = parts;
   const annunciator = new Annunciator();
   let isCalled = false;
-  let cancelAgain: () => void = () => undefined;
+  const looks = new Repeating(timers, look, AFTER_FAILURE_MS);
 
-  function look(): void {
+  function look(): number | null {
     isCalled = false;
-    cancelAgain();
     const now_ms = timers.now_ms();
     const { own, restart, mutedUntil_ms } = store.getState();
     const isMuted = mutedUntil_ms !== null && now_ms < mutedUntil_ms;
@@ -179,9 +182,6 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
       canSpeak: speaker.state(chosen.language) === "ready",
       now_ms,
     });
-    // First: whatever a sound throws, the alarm is repeated.
-    const next_ms = isMuted ? mutedUntil_ms : again_ms;
-    cancelAgain = next_ms === null ? () => undefined : timers.after(next_ms - now_ms, ring);
     try {
       if (sound !== null) {
         sounder.play(sound, heard.volume);
@@ -193,12 +193,15 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
         speaker.say(spokenPhrase(speech, chosen.language), chosen.language, heard.volume);
       }
     }
+    const next_ms = isMuted ? mutedUntil_ms : again_ms;
+    return next_ms === null ? null : next_ms - now_ms;
   }
 
   function ring(): void {
     if (!isCalled) {
       isCalled = true;
-      timers.after(0, look);
+      looks.cancel();
+      looks.arm(0);
     }
   }
   return ring;

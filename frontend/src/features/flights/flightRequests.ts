@@ -1,3 +1,4 @@
+import { Polling } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
 import {
@@ -48,12 +49,9 @@ export function createFlights(parts: Parts): {
   const { run } = createAsking(parts);
   const store = createLibrary();
   let asked = 0;
-  let watchers = 0;
-  let cancelNext: () => void = () => undefined;
   let cancelTyping: () => void = () => undefined;
 
-  async function read(): Promise<void> {
-    cancelNext();
+  async function readList(): Promise<void> {
     asked += 1;
     const mine = asked;
     const answer = await rest.ask("GET", flightsPath(store.getState().query), isFlightList);
@@ -66,16 +64,14 @@ export function createFlights(parts: Parts): {
     } else {
       store.setState({ failure: failureMessage(answer.problem) });
     }
-    if (watchers > 0) {
-      cancelNext();
-      cancelNext = timers.after(EVERY_MS, () => void read());
-    }
   }
+  const polling = new Polling(timers, EVERY_MS, readList);
+  const { read } = polling;
 
   /** After a change that can bring or take away flights. */
   function readAgain(): void {
-    if (watchers > 0) {
-      void read();
+    if (polling.isWatched) {
+      read();
     }
   }
 
@@ -165,37 +161,28 @@ export function createFlights(parts: Parts): {
   const flights: Flights = {
     store,
     connection,
-    read,
+    read: readList,
     select: (flight) => select(flight),
     readBin,
 
     watch: () => {
-      watchers += 1;
-      if (watchers === 1) {
-        void read();
+      const isFirst = !polling.isWatched;
+      const end = polling.watch();
+      if (isFirst) {
         void readJobs();
       }
-      let isWatching = true;
-      return () => {
-        if (isWatching) {
-          isWatching = false;
-          watchers -= 1;
-          if (watchers === 0) {
-            cancelNext();
-          }
-        }
-      };
+      return end;
     },
 
     ask: (change) => {
       store.setState(({ query }) => ({ query: { ...query, page: 1, ...change } }));
-      void read();
+      read();
     },
 
     search: (text) => {
       store.setState(({ query }) => ({ query: { ...query, text, page: 1 } }));
       cancelTyping();
-      cancelTyping = timers.after(TYPING_MS, () => void read());
+      cancelTyping = timers.after(TYPING_MS, () => read());
     },
 
     open: (flight, at_s) => {
@@ -227,7 +214,7 @@ export function createFlights(parts: Parts): {
           ...(selected === id ? { selected: null, story: null } : { selected, story }),
         }));
         onGone(id);
-        void read();
+        read();
         return { state: "confirmed", message: info("flights.saidDeleted") };
       }),
 
@@ -237,7 +224,7 @@ export function createFlights(parts: Parts): {
           deleted: deleted.filter((one) => one.id !== id),
           bin: bin?.filter((one) => one.id !== id) ?? null,
         }));
-        void read();
+        read();
         return { state: "confirmed", message: info("flights.saidRestored") };
       }),
 

@@ -1,5 +1,6 @@
 import { isText, nullable, oneOf, shape } from "../../lib/check";
 import { GuardedCalls } from "../../lib/guardedCalls";
+import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { Actions } from "../../requests/actions";
@@ -68,13 +69,12 @@ export function createGamepadInput(parts: Parts): {
   const reader = withTouchStick(parts.reader, touch.reader);
   const store = createGamepads();
   const watchers = new Set<(positions: AxisPositions) => void>();
-  let cancelTimer: () => void = () => undefined;
   let cancelEvents: () => void = () => undefined;
   const movedAxes = new MovedAxes();
   let before: Pad | null = null;
   let asking = 0;
   const calls = new GuardedCalls(parts.report);
-  let wasFailing = false;
+  const steps = new Repeating({ ...timers, report: parts.report }, step, SAMPLE_EVERY_MS);
 
   /** Whether the gateway uses this page's gamepad as the stick. */
   function flies(): boolean {
@@ -192,25 +192,19 @@ export function createGamepadInput(parts: Parts): {
   }
 
   /** Whatever one step throws, the next one comes: the stick must not stop because a bar could not be painted. */
-  function step(): void {
+  function step(): number {
     let positions = NOWHERE;
     try {
       positions = read();
-      wasFailing = false;
-    } catch (error) {
-      if (!wasFailing) {
-        parts.report(error);
-      }
-      wasFailing = true;
+    } finally {
+      calls.each(watchers, (paint) => paint(positions));
     }
-    calls.each(watchers, (paint) => paint(positions));
     const isBusy = watchers.size > 0 || asking > 0 || flies();
-    cancelTimer = timers.after(isBusy ? SAMPLE_EVERY_MS : SEARCH_EVERY_MS, step);
+    return isBusy ? SAMPLE_EVERY_MS : SEARCH_EVERY_MS;
   }
 
   function now(): void {
-    cancelTimer();
-    step();
+    steps.run();
   }
 
   const gamepads: GamepadInput = {
@@ -286,11 +280,11 @@ export function createGamepadInput(parts: Parts): {
         }
         now();
       });
-      step();
+      now();
     },
     stop: () => {
       cancelEvents();
-      cancelTimer();
+      steps.cancel();
     },
   };
 }

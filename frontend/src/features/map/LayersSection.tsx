@@ -27,7 +27,7 @@ export function LayersSection() {
   const isConnected = blocked === undefined;
   // Read again after a reconnection: the folder's content may have changed.
   useEffect(() => {
-    if (isConnected) void mapLayers.read();
+    if (isConnected) mapLayers.read();
   }, [mapLayers, isConnected]);
   return (
     <FoldingPanel name="layers" title={t("map.layers.title")} className="map-layers">
@@ -71,7 +71,7 @@ function Failure() {
     <Notice level="error">
       <p>{t("map.layers.failed")}</p>
       <p>{sentence(failure)}</p>
-      <Button onPress={() => void mapLayers.read()} icon={<RefreshCw aria-hidden="true" size={14} />}>
+      <Button onPress={() => mapLayers.read()} icon={<RefreshCw aria-hidden="true" size={14} />}>
         {t("map.layers.again")}
       </Button>
     </Notice>

@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { Polling } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import {
   type FlightEvent,
@@ -48,30 +49,29 @@ interface Parts {
 
 export function createFlightFacts({ rest, timers, playback, isRecording }: Parts): FlightFacts {
   const store = createStore<FlightFactsState>(() => NOTHING);
-  let watchers = 0;
   let asked = 0;
-  let cancel: () => void = () => undefined;
+  /** What is known is read, even if it cannot have grown. */
+  let isForced = true;
 
   /** The flight that is shown, or that is being recorded; null: none. */
   function subject(): string | null {
     return playback.getState().flight ?? (isRecording() ? CURRENT : null);
   }
 
-  async function read(): Promise<void> {
-    cancel();
+  async function readAll(): Promise<boolean> {
     asked += 1;
     const mine = asked;
     const flight = subject();
     if (flight === null) {
       store.setState(NOTHING);
-      return;
+      return false;
     }
     const [overview, events] = await Promise.all([
       rest.ask("GET", `/api/v1/flights/${flight}/overview?points=${POINTS}`, isFlightOverview),
       rest.ask("GET", `/api/v1/flights/${flight}/events`, isFlightEvents),
     ]);
     if (mine !== asked) {
-      return;
+      return false;
     }
     store.setState({
       flight,
@@ -80,51 +80,41 @@ export function createFlightFacts({ rest, timers, playback, isRecording }: Parts
       edge_s: overview.ok ? overview.value.duration_s : 0,
       read_ms: overview.ok ? timers.now_ms() : null,
     });
-    if (watchers > 0) {
-      cancel = timers.after(EVERY_MS, again);
-    }
+    return true;
   }
 
   /** A finished flight is not read again: it takes both processors' time from the moments that somebody looks for. */
-  function again(): void {
+  async function readGrown(): Promise<boolean> {
     const { flight, edge_s } = playback.getState();
     const known = store.getState();
     const isGrowing = flight === null || flight === CURRENT || edge_s > known.edge_s + GROWN_S;
-    if (isGrowing || known.overview === null) {
-      void read();
-    } else if (watchers > 0) {
-      cancel = timers.after(EVERY_MS, again);
-    }
+    const isDue = isForced || isGrowing || known.overview === null;
+    isForced = false;
+    return isDue ? readAll() : true;
+  }
+  const polling = new Polling(timers, EVERY_MS, readGrown);
+
+  function read(): void {
+    isForced = true;
+    polling.read();
   }
 
   playback.subscribe(({ flight }, before) => {
-    if (flight !== before.flight && watchers > 0) {
+    if (flight !== before.flight && polling.isWatched) {
       if (before.flight !== CURRENT && !(before.flight === null && flight === CURRENT)) {
         // Another flight: what is known of the last one must not stay under the new one's time.
         store.setState(NOTHING);
       }
-      void read();
+      read();
     }
   });
 
   return {
     store,
-    refresh: () => void read(),
+    refresh: read,
     watch: () => {
-      watchers += 1;
-      if (watchers === 1) {
-        void read();
-      }
-      let isDone = false;
-      return () => {
-        if (!isDone) {
-          isDone = true;
-          watchers -= 1;
-          if (watchers === 0) {
-            cancel();
-          }
-        }
-      };
+      isForced ||= !polling.isWatched;
+      return polling.watch();
     },
   };
 }

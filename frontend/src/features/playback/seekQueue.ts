@@ -1,3 +1,4 @@
+import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 
 /** A dragged handle asks at most so often. */
@@ -13,11 +14,14 @@ export class SeekQueue {
   #sent_ms = Number.NEGATIVE_INFINITY;
   #waiting_s: number | null = null;
   #isHurried = false;
-  #cancel: () => void = () => undefined;
+  readonly #spacing: Repeating;
+  readonly #patience: Repeating;
 
   constructor(send: (at_s: number) => void, timers: Timers) {
     this.#send = send;
     this.#timers = timers;
+    this.#spacing = new Repeating(timers, () => this.#next(), SPACING_MS);
+    this.#patience = new Repeating(timers, () => this.answered(), PATIENCE_MS);
   }
 
   /** A moment was asked for and is not shown yet. */
@@ -27,48 +31,50 @@ export class SeekQueue {
 
   ask(at_s: number): void {
     this.#waiting_s = at_s;
-    this.#next();
+    this.#spacing.run();
   }
 
   /** The hand has let go: what was asked for last goes as soon as nothing is under way. */
   hurry(): void {
     this.#isHurried = this.#waiting_s !== null;
-    this.#next();
+    this.#spacing.run();
   }
 
   /** The gateway answered the one that is under way. */
-  answered(): void {
+  answered(): null {
     if (this.#isUnderWay) {
       this.#isUnderWay = false;
-      this.#cancel();
-      this.#next();
+      this.#patience.cancel();
+      this.#spacing.run();
     }
+    return null;
   }
 
   /** Forget what is under way and what waits. */
   clear(): void {
-    this.#cancel();
+    this.#spacing.cancel();
+    this.#patience.cancel();
     this.#isUnderWay = false;
     this.#isHurried = false;
     this.#waiting_s = null;
   }
 
-  #next(): void {
+  /** In how many milliseconds the one that waits may go; null: none waits, or it went. */
+  #next(): number | null {
     const at_s = this.#waiting_s;
     if (at_s === null || this.#isUnderWay) {
-      return;
+      return null;
     }
-    this.#cancel();
     const wait_ms = this.#isHurried ? 0 : this.#sent_ms + SPACING_MS - this.#timers.now_ms();
     if (wait_ms > 0) {
-      this.#cancel = this.#timers.after(wait_ms, () => this.#next());
-      return;
+      return wait_ms;
     }
     this.#waiting_s = null;
     this.#isHurried = false;
     this.#isUnderWay = true;
     this.#sent_ms = this.#timers.now_ms();
-    this.#cancel = this.#timers.after(PATIENCE_MS, () => this.answered());
+    this.#patience.arm(PATIENCE_MS);
     this.#send(at_s);
+    return null;
   }
 }

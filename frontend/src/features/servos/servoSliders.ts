@@ -1,4 +1,5 @@
 import { isNumber, isText, list, nullable, oneOf, shape } from "../../lib/check";
+import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
 import { isCommandOutcome } from "../../protocol/guards.gen";
@@ -53,23 +54,25 @@ export function createServoSliders({ rest, timers, client, tell }: Parts): Servo
   const store = createServos();
   const wanted = new Map<number, number>();
   const underWay = new Set<number>();
-  let isWaiting = false;
+  const moves = new Repeating(timers, moveNext, PERIOD_MS);
   let board = "";
 
   function sendNext(): void {
+    if (!moves.isArmed) {
+      moves.run();
+    }
+  }
+
+  function moveNext(): number | null {
     const next = [...wanted].find(([servo]) => !underWay.has(servo));
-    if (isWaiting || next === undefined) {
-      return;
+    if (next === undefined) {
+      return null;
     }
     const [servo, position] = next;
     wanted.delete(servo);
     underWay.add(servo);
-    isWaiting = true;
-    timers.after(PERIOD_MS, () => {
-      isWaiting = false;
-      sendNext();
-    });
     void send(servo, position);
+    return PERIOD_MS;
   }
 
   async function send(servo: number, position: number): Promise<void> {

@@ -1,4 +1,6 @@
 import { distance_m, type Position } from "../../lib/geodesy";
+import { Repeating } from "../../lib/repeating";
+import { BROWSER_TIMERS } from "../../lib/timers";
 import type { NamedThing, NamedZone } from "../world/things";
 import type { World } from "../world/World";
 
@@ -26,7 +28,7 @@ export class NamedThings {
   #isWaiting = false;
   #next_ms = Number.NEGATIVE_INFINITY;
   #wanted: Sight | null = null;
-  #timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #asks = new Repeating(BROWSER_TIMERS, () => this.#ask(), FAILED_MS);
   #things: readonly NamedThing[] = [];
 
   constructor(world: World, onNews: () => void) {
@@ -41,24 +43,23 @@ export class NamedThings {
   /** This is what is seen now. */
   see(sight: Sight): void {
     this.#wanted = sight;
-    this.#ask();
+    this.#asks.run();
   }
 
   dispose(): void {
-    clearTimeout(this.#timer);
+    this.#asks.cancel();
     this.#wanted = null;
   }
 
-  #ask(): void {
+  /** In how many milliseconds it may be asked again; null: nothing waits to be asked. */
+  #ask(): number | null {
     const sight = this.#wanted;
     if (sight === null || this.#isWaiting || !isOther(sight, this.#asked)) {
-      return;
+      return null;
     }
     const rest_ms = this.#next_ms - performance.now();
-    clearTimeout(this.#timer);
     if (rest_ms > 0) {
-      this.#timer = setTimeout(() => this.#ask(), rest_ms);
-      return;
+      return rest_ms;
     }
     this.#asked = sight;
     this.#isWaiting = true;
@@ -73,12 +74,13 @@ export class NamedThings {
         this.#rest(FAILED_MS);
       },
     );
+    return null;
   }
 
   #rest(rest_ms: number): void {
     this.#isWaiting = false;
     this.#next_ms = performance.now() + rest_ms;
-    this.#ask();
+    this.#asks.run();
   }
 }
 

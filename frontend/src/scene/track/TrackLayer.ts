@@ -1,4 +1,6 @@
 import { BoundingSphere, Cartesian3, Cartesian4, type PictureState } from "@cesium/engine";
+import { Repeating } from "../../lib/repeating";
+import { BROWSER_TIMERS } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import { METRES_PER_UNIT } from "../../lib/track/block";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
@@ -61,7 +63,7 @@ export class TrackLayer {
   readonly #globe: Globe;
   readonly #drawn = new Map<TrackPoints, DrawnTrack>();
   readonly #endPictures: () => void;
-  #thinning: ReturnType<typeof setTimeout> | null = null;
+  readonly #thinning = new Repeating(BROWSER_TIMERS, () => this.#thin(), REST_MS);
   #look: TrackLook = { colouring: "none", range: null, hasCurtain: true };
 
   constructor(globe: Globe) {
@@ -120,7 +122,7 @@ export class TrackLayer {
 
   dispose(): void {
     this.#endPictures();
-    clearTimeout(this.#thinning ?? undefined);
+    this.#thinning.cancel();
     this.#globe.scene.primitives.remove(this.#primitive);
     this.#globe.requestRender();
   }
@@ -150,7 +152,7 @@ export class TrackLayer {
     }
     tellTiming("track.update", started_ms);
     if (this.#isThinning()) {
-      this.#thinning ??= setTimeout(this.#thin, 0);
+      this.#thinning.arm(0);
     }
   }
 
@@ -167,15 +169,15 @@ export class TrackLayer {
   }
 
   /** Long tracks that arrive at once are thinned apart from the pictures, which are few on slow graphics. */
-  readonly #thin = (): void => {
+  #thin(): number | null {
     const end_ms = performance.now() + SLICE_MS;
     for (const drawn of this.#drawn.values()) {
       if (drawn.isVisible && drawn.thin(end_ms)) {
         this.#globe.requestRender();
       }
     }
-    this.#thinning = this.#isThinning() ? setTimeout(this.#thin, REST_MS) : null;
-  };
+    return this.#isThinning() ? REST_MS : null;
+  }
 
   /** The primitive that the engine asks for draw commands for each picture. */
   readonly #primitive = {

@@ -26,7 +26,7 @@ export type MapLayerStore = StoreApi<MapLayers>;
 /** The user's requests about map layers; nothing here throws. */
 export interface MapLayerActions {
   readonly store: MapLayerStore;
-  readonly read: () => Promise<void>;
+  readonly read: () => void;
   /** Upload a file of this computer to the station's folder. */
   readonly importFile: (file: File, asker: Asker) => Promise<void>;
   readonly cancelImport: (id: string, asker: Asker) => Promise<void>;

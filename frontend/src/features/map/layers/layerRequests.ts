@@ -1,3 +1,4 @@
+import { Repeating } from "../../../lib/repeating";
 import type { Timers } from "../../../lib/timers";
 import type { StreamEvent } from "../../../protocol/envelope";
 import { isMapImport, isMapLayers, isOnlineState } from "../../../protocol/guards.gen";
@@ -30,10 +31,10 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
   const { rest, timers } = parts;
   const { run } = createAsking(parts);
   const store: MapLayerStore = createMapLayers();
-  let cancelNext: () => void = () => undefined;
+  const rereading = new Repeating(timers, read, CONVERTING_MS);
 
-  async function read(): Promise<void> {
-    cancelNext();
+  /** In how many milliseconds it is read again: only while a file is being converted. */
+  async function read(): Promise<number | null> {
     const asked = rest.ask("GET", ONLINE, isOnlineState);
     const answer = await rest.ask("GET", LAYERS, isMapLayers);
     const online = await asked;
@@ -43,30 +44,27 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
     store.setState(
       answer.ok ? { ...answer.value, failure: null } : { failure: failureMessage(answer.problem) },
     );
-    if (answer.ok && answer.value.layers.some(isConverting)) {
-      cancelNext();
-      cancelNext = timers.after(CONVERTING_MS, () => void read());
-    }
+    return answer.ok && answer.value.layers.some(isConverting) ? CONVERTING_MS : null;
   }
 
   function takeMapEvent({ event, data }: StreamEvent): void {
     if (event === "map_import" && isMapImport(data)) {
       noteImport(store, data);
       if (data.state === "done") {
-        void read();
+        rereading.run();
       }
     }
   }
 
   const mapLayers: MapLayerActions = {
     store,
-    read,
+    read: () => rereading.run(),
 
     importFile: (file, asker) => {
       const path = `${IMPORTS}?name=${encodeURIComponent(file.name)}`;
       return run(asker, rest.ask("POST", path, isMapImport, file, SEND_MS), (entry) => {
         noteImport(store, entry);
-        void read();
+        rereading.run();
         const params = { file: entry.name };
         return entry.state === "converting"
           ? { state: "confirmed", message: info("map.layers.saidConverting", params) }
@@ -92,7 +90,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
       run(asker, rest.ask("PUT", ONLINE, isOnlineState, choice), (online) => {
         store.setState({ online });
         // Its sources are in the list of layers.
-        void read();
+        rereading.run();
         const key = online.enabled ? "map.online.saidOn" : "map.online.saidOff";
         return { state: "confirmed", message: info(key) };
       }),

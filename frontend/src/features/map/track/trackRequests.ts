@@ -1,4 +1,5 @@
 import { AIRCRAFT, type Aircraft } from "../../../lib/aircraft";
+import { Polling } from "../../../lib/repeating";
 import type { Timers } from "../../../lib/timers";
 import { tellTiming } from "../../../lib/timing";
 import type { StreamEvent } from "../../../protocol/envelope";
@@ -38,35 +39,17 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
 } {
   const store = createTracks();
   const tracks = growingTracks();
-  let watchers = 0;
-  let cancel: (() => void) | null = null;
-  let isAsking = false;
-  /** The last round of questions ended with an exception, which was reported. */
-  let isFailing = false;
+  const polling = new Polling({ ...timers, report }, PERIOD_MS, askAll);
 
   async function askAll(): Promise<void> {
-    cancel = null;
-    if (isAsking) {
-      return;
-    }
-    isAsking = true;
     const questions = [...AIRCRAFT.map((name) => () => ask(name, tracks[name])), askState];
-    let hasFailed = false;
+    const errors: unknown[] = [];
     for (const question of questions) {
-      try {
-        await question();
-      } catch (error) {
-        // The other track, and the next round of requests, do not depend on it.
-        if (!(isFailing || hasFailed)) {
-          report(error);
-        }
-        hasFailed = true;
-      }
+      // The other track does not depend on it.
+      await question().catch((error: unknown) => errors.push(error));
     }
-    isFailing = hasFailed;
-    isAsking = false;
-    if (watchers > 0) {
-      cancel ??= timers.after(PERIOD_MS, () => void askAll());
+    if (errors.length > 0) {
+      throw errors[0];
     }
   }
 
@@ -109,19 +92,7 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
     trackLog: {
       store,
       points: { flight: tracks.flight.points, hil: tracks.hil.points },
-      watch: () => {
-        watchers += 1;
-        if (watchers === 1 && !isAsking) {
-          void askAll();
-        }
-        return once(() => {
-          watchers -= 1;
-          if (watchers === 0) {
-            cancel?.();
-            cancel = null;
-          }
-        });
-      },
+      watch: polling.watch,
     },
     takeTrackEvent: (message) => takeTrackEvent(store, message),
   };
@@ -131,14 +102,4 @@ function takeTrackEvent(store: TrackStore, { event, data }: StreamEvent): void {
   if (event === "track" && isTrackState(data)) {
     store.setState({ canRestore: data.can_restore });
   }
-}
-
-function once(run: () => void): () => void {
-  let isDone = false;
-  return () => {
-    if (!isDone) {
-      isDone = true;
-      run();
-    }
-  };
 }
