@@ -16,7 +16,7 @@ import numpy as np
 from bench.table import Row
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
 from epf_gcs.formats.quantized_mesh_reading import SIDE, read_grid
-from epf_gcs.surroundings.aircraft import Wanted
+from epf_gcs.surroundings.aircraft import WatchChoice
 from epf_gcs.surroundings.motion import Vector
 from tests.surroundings.encounters import (
     Plan,
@@ -131,7 +131,7 @@ def run() -> list[Row]:
 
 def measure_ground(ground: RealGround, encounters: int, quiet: int) -> Score:
     """Flights over the raster's land."""
-    wanted = Wanted(terrain=True, margin_m=_MARGIN_M)
+    wanted = WatchChoice(terrain=True, margin_m=_MARGIN_M)
     score = Score()
     clearance = ground_clearance(ground.true)
     seed = 0
@@ -158,7 +158,7 @@ def measure_fence(encounters: int, quiet: int) -> Score:
         corners_deg, ceiling_m = some_fence(seed, place_deg, altitude_m)
         kinds = _KINDS if counts == "encounters" else _QUIET_KINDS
         plan = some_plan(seed, place_deg, altitude_m, kinds[seed % len(kinds)])
-        wanted = Wanted(fence=True, corners_deg=corners_deg, ceiling_m=ceiling_m, fence_margin_m=_FENCE_MARGIN_M)
+        wanted = WatchChoice(fence=True, corners_deg=corners_deg, ceiling_m=ceiling_m, fence_margin_m=_FENCE_MARGIN_M)
         clearance = fence_clearance(corners_deg, ceiling_m)
         judge(plan, wanted, no_heights, clearance, _FENCE_MARGIN_M, score, counts=counts)
     return score

@@ -9,11 +9,11 @@ from dataclasses import is_dataclass
 from typing import Any, Final
 
 import epf_gcs
-from epf_gcs.flight.recording.repair import _Found
+from epf_gcs.flight.recording.repair import _FileExtent
 
 _PARTS: Final = ("bus", "codec", "flight", "vehicle", "xplane")
 # Collects while a file is read, and is seen by nobody else.
-_CHANGES: Final[frozenset[type]] = frozenset({_Found})
+_CHANGES: Final[frozenset[type]] = frozenset({_FileExtent})
 
 
 def data_classes() -> Iterator[Any]:

@@ -10,13 +10,13 @@ from epf_gcs.access.authority import KEPT_S, REFUSED_S, UNANSWERED_S, Authority
 from epf_gcs.access.caller import LOCAL_SESSION
 from epf_gcs.access.changes import (
     Effect,
-    HolderChanged,
+    HolderChange,
     KeptOver,
     Page,
     Reason,
-    RequestClosed,
-    RequestOpened,
-    StickLost,
+    RequestEnd,
+    RequestStart,
+    StickLoss,
 )
 from epf_gcs.access.roles import Role
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError, RoleError
@@ -58,7 +58,7 @@ def reasons(effects: list[Effect]) -> list[tuple[str | None, Reason]]:
     return [
         (effect.page.client if effect.page else None, effect.reason)
         for effect in effects
-        if isinstance(effect, HolderChanged)
+        if isinstance(effect, HolderChange)
     ]
 
 
@@ -149,8 +149,8 @@ def test_an_owner_takes_control_from_anybody_but_only_on_purpose() -> None:
     refused(lambda: desk.rules.take("bea", 1.0, confirmed=True), "control_held")
     desk.rules.move_stick("ana", 1.0, moved=True)
     assert desk.rules.take("olga", 1.0, confirmed=True) == [
-        StickLost("ana"),
-        HolderChanged(OLGA, "taken", ANA),
+        StickLoss("ana"),
+        HolderChange(OLGA, "taken", ANA),
     ], "also while the stick is moved, and the stick first"
     assert desk.rules.take("olga", 2.0, confirmed=False) == [], "it has it already"
 
@@ -163,11 +163,11 @@ def test_asking_for_free_control_gets_it_at_once() -> None:
 
 def test_the_holder_grants_what_it_was_asked_for_and_only_that() -> None:
     desk = Desk(ANA, BEA, CAI)
-    assert desk.rules.ask("bea", 1.0) == [RequestOpened(BEA)]
+    assert desk.rules.ask("bea", 1.0) == [RequestStart(BEA)]
     assert desk.rules.ask("bea", 2.0) == [], "asking twice is asking once"
     refused(lambda: desk.rules.grant("ana", "cai", 3.0), "control_not_asked")
     refused(lambda: desk.rules.grant("bea", "bea", 3.0), "control_held")
-    assert desk.rules.grant("ana", "bea", 3.0) == [RequestClosed(BEA, "given"), HolderChanged(BEA, "granted", ANA)]
+    assert desk.rules.grant("ana", "bea", 3.0) == [RequestEnd(BEA, "given"), HolderChange(BEA, "granted", ANA)]
     assert desk.rules.ask("bea", 4.0) == [], "it has it"
     desk.rules.release("bea", 5.0)
     refused(lambda: desk.rules.grant("bea", "cai", 6.0), "control_not_held")
@@ -176,14 +176,14 @@ def test_the_holder_grants_what_it_was_asked_for_and_only_that() -> None:
 def test_who_was_refused_asks_again_after_a_while_with_no_page_sooner() -> None:
     desk = Desk(ANA, BEA)
     desk.rules.ask("bea", 1.0)
-    assert desk.rules.refuse("ana", "bea", 2.0) == [RequestClosed(BEA, "refused")]
+    assert desk.rules.refuse("ana", "bea", 2.0) == [RequestEnd(BEA, "refused")]
     assert desk.holder == "ana"
     error = refused(lambda: desk.rules.ask("bea", 5.0), "control_refused")
     assert error.params["wait_s"] == REFUSED_S - 3.0
     desk.rules.connect(person("other", session=BEA.session), 5.0)
     refused(lambda: desk.rules.ask("other", 6.0), "control_refused")
     desk.rules.tick(2.0 + REFUSED_S)
-    assert desk.rules.ask("bea", 2.0 + REFUSED_S) == [RequestOpened(BEA)]
+    assert desk.rules.ask("bea", 2.0 + REFUSED_S) == [RequestStart(BEA)]
 
 
 def test_who_was_refused_still_gets_control_that_nobody_has() -> None:
@@ -205,10 +205,10 @@ def test_a_request_is_withdrawn_and_one_of_a_page_that_goes_is_gone() -> None:
     desk = Desk(ANA, BEA, CAI)
     desk.rules.ask("bea", 1.0)
     desk.rules.ask("cai", 1.0)
-    assert desk.rules.withdraw("bea") == [RequestClosed(BEA, "withdrawn")]
+    assert desk.rules.withdraw("bea") == [RequestEnd(BEA, "withdrawn")]
     assert desk.rules.withdraw("bea") == []
     assert desk.rules.withdraw("x") == []
-    assert desk.rules.disconnect("cai", 2.0) == [RequestClosed(CAI, "gone")]
+    assert desk.rules.disconnect("cai", 2.0) == [RequestEnd(CAI, "gone")]
 
 
 def test_a_request_that_is_not_answered_is_granted_when_the_holder_did_nothing_for_so_long() -> None:
@@ -238,9 +238,9 @@ def test_a_stick_that_lies_still_is_no_deed() -> None:
     desk.rules.ask("bea", 1.0)
     assert desk.rules.move_stick("ana", 9.0, moved=False)
     assert desk.rules.tick(1.0 + UNANSWERED_S) == [
-        StickLost("ana"),
-        RequestClosed(BEA, "given"),
-        HolderChanged(BEA, "unanswered", ANA),
+        StickLoss("ana"),
+        RequestEnd(BEA, "given"),
+        HolderChange(BEA, "unanswered", ANA),
     ]
 
 
@@ -280,7 +280,7 @@ def test_the_stick_is_the_holders_alone_and_is_lost_with_control() -> None:
     assert desk.rules.move_stick("ana", 1.0, moved=True)
     assert not desk.rules.move_stick("bea", 1.0, moved=True)
     assert desk.rules.stick == "ana"
-    assert desk.rules.release("ana", 2.0) == [StickLost("ana"), HolderChanged(None, "released", ANA)]
+    assert desk.rules.release("ana", 2.0) == [StickLoss("ana"), HolderChange(None, "released", ANA)]
     assert not desk.rules.move_stick("ana", 2.0, moved=True)
     assert desk.rules.stick is None
 
@@ -290,7 +290,7 @@ def test_a_lost_holders_control_is_free_at_once_the_stick_first_and_is_kept_for_
     desk = Desk(ANA, BEA)
     desk.rules.move_stick("ana", 1.0, moved=True)
     lose = desk.rules.disconnect if how == "lost" else desk.rules.silent
-    assert lose("ana", 2.0) == [StickLost("ana"), HolderChanged(None, how, ANA)]  # type: ignore[arg-type]
+    assert lose("ana", 2.0) == [StickLoss("ana"), HolderChange(None, how, ANA)]  # type: ignore[arg-type]
     assert desk.rules.kept_for == ANA
     desk.rules.check(None, BEA.session)
     assert desk.rules.tick(2.0 + KEPT_S - 0.01) == []
@@ -302,7 +302,7 @@ def test_a_lost_holders_control_is_free_at_once_the_stick_first_and_is_kept_for_
 def test_a_busy_holder_has_its_hand_off_the_stick_and_keeps_control_while_nobody_asks() -> None:
     desk = Desk(ANA, BEA)
     desk.rules.move_stick("ana", 1.0, moved=True)
-    assert desk.rules.hang("ana") == [StickLost("ana")]
+    assert desk.rules.hang("ana") == [StickLoss("ana")]
     assert desk.rules.tick(100.0) == []
     assert desk.holder == "ana"
     assert desk.rules.heard("ana", 100.0) == []
@@ -375,7 +375,7 @@ def test_nobody_who_comes_meanwhile_gets_what_is_kept_for_another_page() -> None
 def test_after_a_while_the_longest_page_of_the_same_session_has_control() -> None:
     desk = Desk(FIRST, ANA, SECOND, local("third"))
     desk.rules.disconnect("first", 1.0)
-    assert desk.rules.tick(1.0 + KEPT_S) == [KeptOver(FIRST), HolderChanged(SECOND, "waited", None)]
+    assert desk.rules.tick(1.0 + KEPT_S) == [KeptOver(FIRST), HolderChange(SECOND, "waited", None)]
 
 
 def test_a_silent_page_of_the_same_session_is_none() -> None:
@@ -436,9 +436,9 @@ def test_an_ended_session_has_no_page_no_request_no_control_and_nothing_is_kept_
     desk.rules.ask("twin", 1.0)
     desk.rules.move_stick("ana", 1.0, moved=True)
     assert desk.rules.end(ANA.session, 2.0) == [
-        RequestClosed(twin, "gone"),
-        StickLost("ana"),
-        HolderChanged(None, "ended", ANA),
+        RequestEnd(twin, "gone"),
+        StickLoss("ana"),
+        HolderChange(None, "ended", ANA),
     ]
     assert list(desk.rules.pages) == ["bea"]
     assert desk.rules.kept_for is None
@@ -461,7 +461,7 @@ def test_a_role_that_is_lowered_ends_control_and_requests_and_a_new_name_does_no
     assert desk.rules.holder is renamed
     desk.rules.ask("bea", 1.0)
     watching = person("bea", Role.viewer)
-    assert desk.rules.change(watching, 2.0) == [RequestClosed(watching, "gone")]
+    assert desk.rules.change(watching, 2.0) == [RequestEnd(watching, "gone")]
     desk.rules.ask("cai", 2.0)
     assert reasons(desk.rules.change(person("ana", Role.viewer), 3.0)) == [(None, "ended"), ("cai", "asked")]
     assert reasons(desk.rules.change(person("cai", Role.viewer), 3.0)) == [(None, "ended")]

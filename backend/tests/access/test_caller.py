@@ -12,7 +12,7 @@ import pytest
 from epf_gcs.access import caller as caller_module
 from epf_gcs.access import socket_owner
 from epf_gcs.access.admission import Admission, Policy, bearer_key
-from epf_gcs.access.caller import Peer, Shown, is_in_container, is_loopback
+from epf_gcs.access.caller import Credentials, Peer, is_in_container, is_loopback
 from epf_gcs.access.socket_owner import NOBODY, UNTOLD, Connection, owner_of
 from epf_gcs.clock import Clock
 from epf_gcs.web.serving.settings import Settings
@@ -140,10 +140,10 @@ def test_a_key_is_read_from_its_header(header: str, key: str | None) -> None:
 
 
 def test_a_repeated_header_is_no_key() -> None:
-    shown = Shown.of([(b"authorization", b"Bearer a"), (b"authorization", b"Bearer b")], Peer(None, None))
+    shown = Credentials.of([(b"authorization", b"Bearer a"), (b"authorization", b"Bearer b")], Peer(None, None))
     assert bearer_key(shown.authorization or "") == "a,Bearer b"
 
 
 def test_nobody_is_in_before_the_lists_were_read(tmp_path: Path) -> None:
     admission = Admission(Policy(True, True, "127.0.0.1"), tmp_path, lambda _: None, Clock())
-    assert admission.resolve(Shown(Peer(("127.0.0.1", 1), ("127.0.0.1", 1)), "", None, False)) is None
+    assert admission.resolve(Credentials(Peer(("127.0.0.1", 1), ("127.0.0.1", 1)), "", None, False)) is None

@@ -12,7 +12,7 @@ from epf_gcs.access.changes import Page
 from epf_gcs.access.control import Control
 from epf_gcs.access.roles import Role
 from epf_gcs.contract.hello import ControlHolder
-from epf_gcs.contract.notices import ControlChanged, Notice, StickReleased
+from epf_gcs.contract.notices import ControlChange, Notice, StickRelease
 from epf_gcs.errors import GatewayError
 from epf_gcs.xplane.datagram import Surfaces
 from tests.support.held import UNIX_S, HeldClock
@@ -69,9 +69,9 @@ class Desk:
         told: list[tuple[object, ...]] = []
         for one in self.notices:
             match one:
-                case ControlChanged():
+                case ControlChange():
                     told.append(("control", one.client, one.kept))
-                case StickReleased():
+                case StickRelease():
                     told.append(("stick_gone", one.client))
         self.notices.clear()
         return told

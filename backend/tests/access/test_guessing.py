@@ -9,12 +9,12 @@ from epf_gcs.access.guessing import (
     MOST_ADDRESSES,
     TRIES_AT_ONCE,
     TRIES_PER_S,
-    Guessing,
+    GuessLimiter,
     group_of,
 )
 
 
-def patient(guessing: Guessing, address: str, tries: int, start_s: float = 0.0) -> float:
+def patient(guessing: GuessLimiter, address: str, tries: int, start_s: float = 0.0) -> float:
     """Try as soon as allowed; when the last try was made."""
     now_s = start_s
     for _ in range(tries):
@@ -24,7 +24,7 @@ def patient(guessing: Guessing, address: str, tries: int, start_s: float = 0.0) 
 
 
 def test_a_few_slips_cost_nothing_and_then_each_try_waits_twice_as_long() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     assert patient(guessing, "10.0.0.1", FREE_FAILURES) == 0.0
     waits = [guessing.begin("10.0.0.1", 0.0)]
     for _ in range(4):
@@ -35,37 +35,37 @@ def test_a_few_slips_cost_nothing_and_then_each_try_waits_twice_as_long() -> Non
 
 
 def test_a_day_is_enough_for_three_hundred_tries() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     assert patient(guessing, "10.0.0.1", 300) > 300 * LONGEST_S * 0.95
 
 
 def test_another_address_pays_nothing() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     patient(guessing, "10.0.0.1", 20)
     assert guessing.begin("10.0.0.2", 1e6) == 0
 
 
 def test_success_is_a_new_beginning() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     now_s = patient(guessing, "10.0.0.1", 10)
     guessing.succeeded("10.0.0.1")
     assert guessing.begin("10.0.0.1", now_s) == 0
 
 
 def test_many_at_the_same_moment_are_no_way_round() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     assert [guessing.begin("10.0.0.1", 0.0) for _ in range(10)].count(0) == FREE_FAILURES
 
 
 def test_a_network_of_addresses_is_one() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     tries = [guessing.begin(f"2001:db8::{number:x}", 0.0) for number in range(10)]
     assert tries.count(0) == FREE_FAILURES
     assert guessing.begin("2001:db8:0:1::1", 0.0) == 0
 
 
 def test_ipv4_behind_a_socket_for_both_is_not_one_network() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     patient(guessing, "::ffff:10.0.0.1", 20)
     assert guessing.begin("::ffff:10.0.0.2", 1e6) == 0
     assert group_of("::ffff:10.0.0.1") == group_of("10.0.0.1")
@@ -77,7 +77,7 @@ def test_a_zone_and_a_name_are_no_way_round_either() -> None:
 
 
 def test_all_together_have_a_limit() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     tries = [guessing.begin(f"10.0.{number // 250}.{number % 250}", 0.0) for number in range(100)]
     assert tries.count(0) == TRIES_AT_ONCE
     assert guessing.begin("192.0.2.1", 0.0) <= 1 / TRIES_PER_S
@@ -85,7 +85,7 @@ def test_all_together_have_a_limit() -> None:
 
 
 def test_failures_are_forgotten_and_take_bounded_room() -> None:
-    guessing = Guessing()
+    guessing = GuessLimiter()
     now_s = patient(guessing, "10.0.0.1", 10)
     assert guessing.begin("10.0.0.1", now_s + FORGOTTEN_S + LONGEST_S) == 0
     assert guessing.begin("10.0.0.1", now_s + FORGOTTEN_S + LONGEST_S) == 0

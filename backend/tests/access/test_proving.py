@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from epf_gcs.access.proving import MOST_WAITING, Proving
+from epf_gcs.access.proving import MOST_WAITING, KeyVerifier
 from epf_gcs.errors import TooManyError
 from tests.support.waiting import DEADLINE_S
 
@@ -15,7 +15,7 @@ pytestmark = pytest.mark.anyio
 
 
 async def test_no_hash_is_computed_on_the_event_loop() -> None:
-    proving = Proving(lambda: 0.0)
+    proving = KeyVerifier(lambda: 0.0)
     try:
         assert await proving.run(threading.get_ident) != threading.get_ident()
         assert await proving.attempt("10.0.0.1", threading.get_ident) != threading.get_ident()
@@ -24,7 +24,7 @@ async def test_no_hash_is_computed_on_the_event_loop() -> None:
 
 
 async def test_a_full_queue_refuses_at_once_and_takes_more_once_there_is_room() -> None:
-    proving = Proving(lambda: 0.0)
+    proving = KeyVerifier(lambda: 0.0)
     may_go_on = threading.Event()
     tries = [asyncio.create_task(proving.attempt(f"10.0.0.{host}", may_go_on.wait)) for host in range(MOST_WAITING)]
     try:

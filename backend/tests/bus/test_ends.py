@@ -14,12 +14,12 @@ import orjson
 import pytest
 
 from epf_gcs.bus.address import FILE, Listener, connect
-from epf_gcs.bus.definition import Asker, Kind, Named, pack
+from epf_gcs.bus.definition import Asker, Kind, NamedText, pack
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.contract.answers import AircraftName
 from epf_gcs.contract.hello import Hello
-from epf_gcs.contract.notices import Notice, Pace, StickReleased
+from epf_gcs.contract.notices import Notice, Pace, StickRelease
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.requests import LoadParameters, NameAircraft, ReadHil, ReadPlan, ReadPorts
 from epf_gcs.contract.status import HilState, Status
@@ -35,9 +35,9 @@ class Heard:
 
     def __init__(self) -> None:
         self.hellos: list[Hello] = []
-        self.samples: list[Named] = []
+        self.samples: list[NamedText] = []
         self.ends = 0
-        self.events: list[Named] = []
+        self.events: list[NamedText] = []
         self.statuses: list[Status] = []
         self.losses: list[bool] = []
         self.silences: list[bool] = []
@@ -47,14 +47,14 @@ class Heard:
     def on_hello(self, hello: Hello) -> None:
         self.hellos.append(hello)
 
-    def on_sample(self, sample: Named) -> None:
+    def on_sample(self, sample: NamedText) -> None:
         self.samples.append(sample)
 
     def on_samples_end(self) -> None:
         self.ends += 1
         self.order.append("end of samples")
 
-    def on_event(self, event: Named) -> None:
+    def on_event(self, event: NamedText) -> None:
         self.events.append(event)
 
     def on_status(self, status: Status) -> None:
@@ -236,8 +236,8 @@ async def test_a_request_brings_the_result_or_the_very_error(tmp_path: Path) -> 
             with pytest.raises(GatewayError) as failed:
                 await station.ask(request)
             assert failed.value.code == "internal"
-        station.notice(StickReleased("c1"))
-        await eventually_async(lambda: vehicle.notices == [StickReleased("c1")], "the notice arrives")
+        station.notice(StickRelease("c1"))
+        await eventually_async(lambda: vehicle.notices == [StickRelease("c1")], "the notice arrives")
     await vehicle.stop()
 
 
@@ -419,10 +419,10 @@ async def test_samples_go_on_at_the_pace_of_the_one_who_looks(tmp_path: Path) ->
 async def test_a_record_of_a_kind_that_a_later_version_has_is_passed_over(tmp_path: Path) -> None:
     vehicle = Vehicle(tmp_path)
     newer = await connect(tmp_path)
-    notice = orjson.dumps({"name": "StickReleased", "arguments": {"client": "c1"}})
+    notice = orjson.dumps({"name": "StickRelease", "arguments": {"client": "c1"}})
     later_kind: Any = 99
     await asyncio.get_running_loop().sock_sendall(newer, pack(later_kind, b"") + pack(Kind.NOTICE, notice))
-    await eventually_async(lambda: vehicle.notices == [StickReleased("c1")], "what follows it is heard")
+    await eventually_async(lambda: vehicle.notices == [StickRelease("c1")], "what follows it is heard")
     assert vehicle.gone == 0
     newer.close()
     await vehicle.stop()
@@ -481,7 +481,7 @@ def test_two_stations_of_one_machine_have_a_port_each(tmp_path: Path) -> None:
 @pytest.mark.anyio
 async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Path) -> None:
     class Failing(Heard):
-        def on_sample(self, sample: Named) -> None:
+        def on_sample(self, sample: NamedText) -> None:
             super().on_sample(sample)
             raise ZeroDivisionError
 
@@ -489,7 +489,7 @@ async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Pat
             super().on_samples_end()
             raise ZeroDivisionError
 
-        def on_event(self, event: Named) -> None:
+        def on_event(self, event: NamedText) -> None:
             raise ZeroDivisionError
 
     vehicle, heard = Vehicle(tmp_path), Failing()
@@ -510,7 +510,7 @@ async def test_a_request_behind_a_notice_that_fails_is_answered(tmp_path: Path) 
     vehicle.notices = None  # type: ignore[assignment]
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        station.notice(StickReleased("c1"))
+        station.notice(StickRelease("c1"))
         async with asyncio.timeout(DEADLINE_S):
             assert await station.ask(NameAircraft("1")) == AircraftName("1 by None")
     await vehicle.stop()

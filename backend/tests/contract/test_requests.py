@@ -17,7 +17,7 @@ from epf_gcs.contract import requests
 from epf_gcs.contract.requests import REQUESTS, Request
 from epf_gcs.flight.flight import Flight
 from epf_gcs.replay.player import Player
-from epf_gcs.replay.viewing import Viewing
+from epf_gcs.replay.viewing import ReplayViewer
 
 OF_A_REPLAY = {requests.ReadKnown, requests.ReadPlayback}
 
@@ -37,7 +37,7 @@ def asked_anywhere() -> set[str]:
 async def test_every_request_has_a_handler_in_the_flight_or_in_a_replay(tmp_path: Path) -> None:
     flight = Flight(tmp_path)
     assert set(flight._requests) == set(REQUESTS.values()) - OF_A_REPLAY
-    viewing = Viewing.__new__(Viewing)
+    viewing = ReplayViewer.__new__(ReplayViewer)
     viewing._player = cast(Player, None)
     of_a_replay = set(viewing._requests())
     assert OF_A_REPLAY <= of_a_replay <= set(REQUESTS.values())

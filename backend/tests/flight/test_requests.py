@@ -16,7 +16,7 @@ from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.contract.answers import DiskPolicy
-from epf_gcs.contract.notices import Pace, StickMoved
+from epf_gcs.contract.notices import Pace, StickSample
 from epf_gcs.contract.requests import (
     AnswerT_co,
     LoadParameters,
@@ -301,7 +301,7 @@ async def test_a_sample_without_axes_and_a_notice_for_somebody_else_move_nothing
     flight = asked.flight
     flight.stick.control_changed(Client("ana", "Ana"))
     notice = notices(flight.stick, flight.watch.surroundings, flight.clock.steady_s)
-    notice(StickMoved("ana", {"roll": "much"}))
+    notice(StickSample("ana", {"roll": "much"}))
     notice(Pace(5))
     assert flight.stick.holder == Client("ana", "Ana")
     assert flight.stick.counts == {"invalid": 1}

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Direction, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import END, TELEMETRY
-from epf_gcs.flights.bulk import BulkDecoder, Decoded
+from epf_gcs.flights.bulk import BulkDecoder, StretchContents
 from tests.codec.streams import BOTH, damage, mixed_frames
 
 Heard = tuple[dict[str, list[tuple[int, bytes]]], list[Damage]]
@@ -39,7 +39,7 @@ def live(records: list[bytes], way: Direction) -> Heard:
 def bulk(records: list[bytes], way: Direction, sizes: Iterable[int]) -> Heard:
     """What the bulk decoder finds when it gets so many records at a time."""
     decoder = BulkDecoder(way)
-    found: list[Decoded] = []
+    found: list[StretchContents] = []
     at = 0
     for size in sizes:
         some = records[at : at + size]

@@ -19,7 +19,7 @@ from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction, Frame, FrameDec
 from epf_gcs.codec.messages_gen import COMMANDS, COMMANDS_BY_ID, TELEMETRY, XPLANE_ROWS
 from epf_gcs.codec.values import meaning, steps
 from epf_gcs.flights.bulk import BulkDecoder, Frames
-from epf_gcs.flights.columns import Written, write_columns
+from epf_gcs.flights.columns import TableFolder, write_columns
 from epf_gcs.flights.convert import layout, schema, table
 from epf_gcs.flights.index import run
 from epf_gcs.flights.keyframes import EVERY_NS
@@ -52,7 +52,7 @@ def recording(received: bytes, sent: bytes = b"", notes: tuple[bytes, ...] = (),
     return b"".join(data)
 
 
-def made(tmp_path: Path, data: bytes) -> Written:
+def made(tmp_path: Path, data: bytes) -> TableFolder:
     path = tmp_path / "recordings" / "20260131T120000Z.mcap"
     path.parent.mkdir(exist_ok=True)
     path.write_bytes(data)

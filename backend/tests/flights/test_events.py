@@ -15,7 +15,7 @@ from epf_gcs.flights.flight_data import PeriodCache, Samples, TopicSpan
 from epf_gcs.flights.summary import summarise
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
-from epf_gcs.vehicle.parameters import Held, gain_state
+from epf_gcs.vehicle.parameters import GainRecord, gain_state
 
 START_NS = 1_767_261_600_000_000_000
 
@@ -201,7 +201,7 @@ def test_what_was_known_is_the_newest_note_before_the_moment() -> None:
         return Note(START_NS + round(at_s * 1e9), notes.PLAN, {"plan": which, "waypoints": waypoints})
 
     # As the recorder writes them; two of a stranger's file are of no shape.
-    known = Held(value=2.5, state="confirmed", loaded=1.0)
+    known = GainRecord(value=2.5, state="confirmed", loaded=1.0)
     gains = {"k_pitch": asdict(gain_state("k_pitch", known)), "k_roll": 3, "k_VVI": {"value": "x", "state": []}}
     flight = MadeFlight(
         {},

@@ -13,7 +13,7 @@ import pytest
 
 from epf_gcs.library.about import About, read_about
 from epf_gcs.library.folder import KEPT_S, FlightFolder
-from epf_gcs.library.library import SUMMARY_VERSION, Library, Row, Wanted
+from epf_gcs.library.library import SUMMARY_VERSION, FlightQuery, Library, Row
 from epf_gcs.recordings.places import Places, stamp_of
 from tests.support.files import the_one_like
 
@@ -49,7 +49,7 @@ def change(places: Places, statements: str) -> None:
 
 
 def ids(library: Library, **wanted: Any) -> list[str]:
-    return [row.id for row in library.search(Wanted(**wanted))[0]]
+    return [row.id for row in library.search(FlightQuery(**wanted))[0]]
 
 
 def row_of(library: Library, flight: str) -> Row:
@@ -64,7 +64,7 @@ def test_every_recording_is_listed_the_newest_first_and_nothing_else(places: Pla
     library = Library(places)
     library.refresh(None)
     assert ids(library) == [THIRD, SECOND, FIRST]
-    assert library.search(Wanted())[1] == 3
+    assert library.search(FlightQuery())[1] == 3
     places.recording(SECOND).unlink()
     library.refresh(None)
     assert ids(library) == [THIRD, FIRST]

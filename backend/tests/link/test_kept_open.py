@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import pytest
 
 from epf_gcs.errors import GatewayError, LinkError
-from epf_gcs.link.kept_open import Handling, KeptOpen
+from epf_gcs.link.kept_open import KeptOpen, LinkHandlers
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -57,7 +57,7 @@ class World:
         self.pausing.set()
         self.moved_to: Place | None = None
         self.kept: KeptOpen[Place, Line] = KeptOpen(
-            Handling(
+            LinkHandlers(
                 open=self._open,
                 begin=self._begin,
                 end=lambda line: self.done.append(f"end {line.place.device}"),

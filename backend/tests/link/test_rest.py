@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from epf_gcs.link import descriptor
 from epf_gcs.link.base import Device, LinkCallbacks
 from epf_gcs.link.descriptor import DescriptorLink
-from epf_gcs.link.unbroken import Unbroken
+from epf_gcs.link.unbroken import ByteTimes
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -173,7 +173,7 @@ async def test_a_network_line_has_no_times_to_be_known_and_never_rests(monkeypat
 
 @given(count=st.integers(1, 400), gap_s=st.floats(0.0, 0.0019), place=st.floats(0.0, 1.0), asked=st.floats(0.0, 1.0))
 def test_each_byte_s_time_is_known_to_a_millisecond(count: int, gap_s: float, place: float, asked: float) -> None:
-    unbroken = Unbroken(BAUD)
+    unbroken = ByteTimes(BAUD)
     number = int(asked * (count - 1))
     lasted_s = count * BYTE_S + gap_s
     came_s = (number + 1) * BYTE_S + (gap_s if number >= place * count else 0.0)

@@ -10,11 +10,11 @@ from typing import Any, cast
 
 import pytest
 
-from epf_gcs.bus.definition import Named
+from epf_gcs.bus.definition import NamedText
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.contract.hello import Hello
-from epf_gcs.contract.notices import Notice, StickReleased
-from epf_gcs.contract.playback import Loop, Pause, Play, Playback, Seek, Step, Taken, Want
+from epf_gcs.contract.notices import Notice, StickRelease
+from epf_gcs.contract.playback import Loop, Pause, Play, Playback, SampleCredit, Seek, Step, Want
 from epf_gcs.contract.requests import ReadPlayback, ReadStatus, ReadTelemetry, SetParameters
 from epf_gcs.contract.status import Status
 from epf_gcs.errors import GatewayError
@@ -31,7 +31,7 @@ class Watching:
         self.end = StationEnd(folder, self)
         self.hello: Hello | None = None
         self.playback = a_playback()
-        self.samples: list[Named] = []
+        self.samples: list[NamedText] = []
         self.statuses = 0
         self.is_lost = False
 
@@ -42,13 +42,13 @@ class Watching:
         assert hello.playback is not None
         self.hello, self.playback = hello, hello.playback
 
-    def on_sample(self, sample: Named) -> None:
+    def on_sample(self, sample: NamedText) -> None:
         self.samples.append(sample)
 
     def on_samples_end(self) -> None:
         pass
 
-    def on_event(self, event: Named) -> None:
+    def on_event(self, event: NamedText) -> None:
         pass
 
     def on_status(self, status: Status) -> None:
@@ -133,7 +133,7 @@ def test_two_viewers_are_each_at_their_own_moment_and_say_each_what_they_want(re
                 Seek(1e300),
                 Play(float("inf")),
                 Step(0),
-                StickReleased("c1"),
+                StickRelease("c1"),
             ]
             for no_wish in no_wishes:
                 second.end.notice(no_wish)
@@ -166,7 +166,7 @@ def test_a_viewer_of_every_sample_gets_on_as_it_takes_them_to_the_end(recording:
             viewer.end.notice(Play(100.0))
             taken = 0
             while viewer.playback.state != "ended":
-                viewer.end.notice(Taken(len(viewer.samples) - taken))
+                viewer.end.notice(SampleCredit(len(viewer.samples) - taken))
                 taken = len(viewer.samples)
                 await asyncio.sleep(0.01)
             assert sum(1 for sample in viewer.samples if sample.name == "ahrs") >= 12 * 20 - 5

@@ -10,7 +10,7 @@ from typing import Any, Self
 
 import httpx
 
-from epf_gcs.access.guessing import Guessing
+from epf_gcs.access.guessing import GuessLimiter
 from epf_gcs.access.invitations import new_invitation
 from epf_gcs.access.moment import Moment
 from epf_gcs.access.roles import Role
@@ -44,7 +44,7 @@ class Browser(httpx.Client):
 
 def stranger(gateway: Gateway, **headers: str) -> Browser:
     """A client without cookies. All tests ask from one address, so failures of others before it are forgotten."""
-    gateway.web.admission.proving.guessing = Guessing()
+    gateway.web.admission.proving.guessing = GuessLimiter()
     return Browser(base_url=f"{gateway.base}/api/v1", timeout=DEADLINE_S, headers=headers)
 
 

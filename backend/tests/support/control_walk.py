@@ -11,7 +11,7 @@ from typing import Final
 
 from epf_gcs.access.authority import REFUSED_S, UNANSWERED_S, Authority
 from epf_gcs.access.caller import LOCAL_SESSION
-from epf_gcs.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
+from epf_gcs.access.changes import Effect, HolderChange, KeptOver, Page, RequestEnd, RequestStart, StickLoss
 from epf_gcs.access.roles import Role
 from epf_gcs.errors import GatewayError
 
@@ -44,19 +44,19 @@ class Flight:
     def hear(self, effects: list[Effect]) -> None:
         for effect in effects:
             match effect:
-                case HolderChanged(page, reason, before):
+                case HolderChange(page, reason, before):
                     assert before is self.holder, "every change says who had it"
                     assert page is not before, "a change changes something"
                     assert self.hand is None, "the stick is let go before control goes on"
                     self.holder = page
                     self.reasons[reason] += 1
-                case StickLost(client):
+                case StickLoss(client):
                     assert self.hand == client
                     self.hand = None
-                case RequestOpened(page):
+                case RequestStart(page):
                     assert page.client not in self.asking
                     self.asking.add(page.client)
-                case RequestClosed(page, result):
+                case RequestEnd(page, result):
                     self.asking.remove(page.client)
                     self.reasons[result] += 1
                 case KeptOver():

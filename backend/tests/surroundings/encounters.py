@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from epf_gcs.surroundings.aircraft import AircraftSurroundings, Heights, Wanted
+from epf_gcs.surroundings.aircraft import AircraftSurroundings, Heights, WatchChoice
 from tests.surroundings.flown import (
     FREE_S,
     STEP_S,
@@ -148,7 +148,14 @@ def fence_clearance(corners_deg: Sequence[tuple[float, float]], ceiling_m: float
 
 
 def judge(
-    plan: Plan, wanted: Wanted, heights: Heights, clearance: Clearance, margin_m: float, score: Score, *, counts: str
+    plan: Plan,
+    wanted: WatchChoice,
+    heights: Heights,
+    clearance: Clearance,
+    margin_m: float,
+    score: Score,
+    *,
+    counts: str,
 ) -> None:
     """Fly and count. `counts`: "encounters" or "quiet": which of both is still wanted."""
     flown = plan.fly()
@@ -191,7 +198,7 @@ def _would_meet(plan: Plan, clearance: Clearance, margin_m: float, t_s: float) -
     return any(one < margin_m for one in found[round(decided_s / STEP_S) :])
 
 
-def _warnings(flown: Flown, wanted: Wanted, heights: Heights, end_s: float) -> Iterator[tuple[float, float]]:
+def _warnings(flown: Flown, wanted: WatchChoice, heights: Heights, end_s: float) -> Iterator[tuple[float, float]]:
     """When each warning began and ended."""
     aircraft = AircraftSurroundings()
     fixes = iter(flown.fixes)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from epf_gcs.earth import M_PER_DEG
-from epf_gcs.surroundings.aircraft import AircraftSurroundings, Seen, Wanted
+from epf_gcs.surroundings.aircraft import AircraftSurroundings, SurroundingsView, WatchChoice
 from epf_gcs.surroundings.motion import Fix, Vector
 from epf_gcs.surroundings.threats import WARN_S
 
@@ -18,7 +18,7 @@ PLACE = (28.0, -15.5)
 ACROSS = math.cos(math.radians(PLACE[0]))
 WALL_M = 3000.0
 """The ground rises there like a wall: 3 km to the east."""
-GROUND = Wanted(terrain=True, margin_m=50.0)
+GROUND = WatchChoice(terrain=True, margin_m=50.0)
 
 
 def wall(latitude_deg: Vector, longitude_deg: Vector) -> Vector:
@@ -38,7 +38,7 @@ def eastward(from_s: float, until_s: float, *, speed_mps: float = 30.0, altitude
         yield Fix(t_s, PLACE[0], PLACE[1] + speed_mps * t_s / M_PER_DEG / ACROSS, altitude_m)
 
 
-def flown(fixes: Iterable[Fix], wanted: Wanted, heights: object = wall) -> list[tuple[float, Seen]]:
+def flown(fixes: Iterable[Fix], wanted: WatchChoice, heights: object = wall) -> list[tuple[float, SurroundingsView]]:
     aircraft, found = AircraftSurroundings(), []
     for fix in fixes:
         aircraft.add(fix)
@@ -48,9 +48,9 @@ def flown(fixes: Iterable[Fix], wanted: Wanted, heights: object = wall) -> list[
 
 
 def test_height_is_above_the_ground_and_not_known_where_the_ground_is_not() -> None:
-    _, seen = flown(eastward(0, 4), Wanted())[-1]
+    _, seen = flown(eastward(0, 4), WatchChoice())[-1]
     assert (seen.blind, seen.ground_m, seen.height_m) == (None, 100.0, 300.0)
-    _, seen = flown(eastward(0, 4), Wanted(), unknown)[-1]
+    _, seen = flown(eastward(0, 4), WatchChoice(), unknown)[-1]
     assert (seen.blind, seen.ground_m, seen.height_m) == ("no_heights_here", None, None)
     aircraft = AircraftSurroundings()
     assert aircraft.look(0.0, GROUND, wall, has_heights=True).blind == "no_position"
@@ -65,7 +65,7 @@ def test_ground_ahead_is_warned_of_thirty_seconds_before_and_not_a_minute() -> N
 
 
 def test_nothing_is_warned_of_until_it_is_chosen_and_where_nothing_is_known() -> None:
-    assert all(seen.terrain is None for _, seen in flown(eastward(0, 99), Wanted()))
+    assert all(seen.terrain is None for _, seen in flown(eastward(0, 99), WatchChoice()))
     assert all(seen.terrain is None for _, seen in flown(eastward(0, 99), GROUND, unknown))
 
 
@@ -95,7 +95,7 @@ def test_it_does_not_chatter_at_the_edge_of_the_margin() -> None:
 
 
 def test_an_aircraft_slowed_by_the_wind_is_still_watched_and_one_that_has_landed_is_not() -> None:
-    wanted = Wanted(fence=True, corners_deg=square(300.0), fence_margin_m=30.0)
+    wanted = WatchChoice(fence=True, corners_deg=square(300.0), fence_margin_m=30.0)
 
     def slowed(to_mps: float) -> Iterable[Fix]:
         # Fast for 5 s, then slowly towards the border.
@@ -113,7 +113,7 @@ def test_an_aircraft_slowed_by_the_wind_is_still_watched_and_one_that_has_landed
     assert WARN_S <= reached_s - first_s <= WARN_S + 19.0
     assert last_s > 119.0
     # Outside, still and level: it has landed there.
-    wanted = Wanted(fence=True, corners_deg=square(90.0), fence_margin_m=30.0)
+    wanted = WatchChoice(fence=True, corners_deg=square(90.0), fence_margin_m=30.0)
     assert warned_s(0.0) == []
 
 
@@ -157,7 +157,7 @@ def square(half_m: float) -> tuple[tuple[float, float], ...]:
 
 
 def test_the_fence_is_warned_of_before_it_is_reached_and_called_left_after() -> None:
-    wanted = Wanted(fence=True, corners_deg=square(WALL_M), fence_margin_m=30.0)
+    wanted = WatchChoice(fence=True, corners_deg=square(WALL_M), fence_margin_m=30.0)
     found = flown(eastward(0, 120), wanted, unknown)
     warned = [t_s for t_s, seen in found if seen.fence is not None]
     assert WARN_S <= WALL_M / 30.0 - warned[0] <= WARN_S + 9.0
@@ -171,21 +171,21 @@ def test_the_ceiling_is_a_part_of_the_fence() -> None:
         for fix in eastward(0, 100):
             yield fix._replace(altitude_m=300.0 + 2.0 * fix.t_s)
 
-    found = flown(climbing(), Wanted(fence=True, ceiling_m=480.0, fence_margin_m=0.0), unknown)
+    found = flown(climbing(), WatchChoice(fence=True, ceiling_m=480.0, fence_margin_m=0.0), unknown)
     first = next((t_s, seen.fence) for t_s, seen in found if seen.fence is not None)
     assert WARN_S <= 90.0 - first[0] <= WARN_S + 8.0
     assert first[1].what == "ceiling"
     assert found[-1][1].outside
 
 
-@pytest.mark.parametrize("wanted", [GROUND, Wanted(fence=True, ceiling_m=50.0)])
-def test_an_aircraft_that_stands_is_not_warned(wanted: Wanted) -> None:
+@pytest.mark.parametrize("wanted", [GROUND, WatchChoice(fence=True, ceiling_m=50.0)])
+def test_an_aircraft_that_stands_is_not_warned(wanted: WatchChoice) -> None:
     for _, seen in flown(eastward(0, 20, speed_mps=0.0, altitude_m=101.0), wanted):
         assert (seen.terrain, seen.fence, seen.outside) == (None, None, False)
 
 
 def test_a_lift_under_the_ceiling_is_not_warned_of_and_a_climb_to_it_is_half_a_minute_before() -> None:
-    wanted = Wanted(fence=True, ceiling_m=500.0, fence_margin_m=30.0)
+    wanted = WatchChoice(fence=True, ceiling_m=500.0, fence_margin_m=30.0)
 
     def climbing(climb_mps: float, until_s: float) -> list[float]:
         fixes = (

@@ -9,7 +9,7 @@ import pytest
 
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
 from epf_gcs.formats.quantized_mesh_reading import SIDE, read_grid
-from epf_gcs.surroundings.aircraft import Wanted
+from epf_gcs.surroundings.aircraft import WatchChoice
 from epf_gcs.surroundings.motion import Vector
 from tests.surroundings.encounters import (
     Score,
@@ -73,7 +73,7 @@ def a_place(seed: int, above_m: tuple[float, float]) -> tuple[tuple[float, float
 def test_ground_ahead_is_warned_of_half_a_minute_before_and_quiet_flights_are_not_disturbed() -> None:
     station, score = Station(), Score()
     clearance = ground_clearance(true_m)
-    wanted = Wanted(terrain=True, margin_m=MARGIN_M)
+    wanted = WatchChoice(terrain=True, margin_m=MARGIN_M)
     seed = 0
     while score.encounters < 16:
         seed += 1
@@ -98,7 +98,7 @@ def test_the_fence_is_warned_of_half_a_minute_before_and_flights_inside_are_not_
         counts = "encounters" if score.encounters < 10 else "quiet"
         corners, ceiling_m = some_fence(seed, MIDDLE, 500.0)
         plan = some_plan(seed, MIDDLE, 500.0, ("straight", "climbing", "turning")[seed % 3])
-        wanted = Wanted(fence=True, corners_deg=corners, ceiling_m=ceiling_m, fence_margin_m=30.0)
+        wanted = WatchChoice(fence=True, corners_deg=corners, ceiling_m=ceiling_m, fence_margin_m=30.0)
         judge(plan, wanted, no_heights, fence_clearance(corners, ceiling_m), 30.0, score, counts=counts)
     assert score.warned >= 9
     assert score.alarmed <= 1

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from epf_gcs.contract.notices import Notice, SurroundingsSeen
+from epf_gcs.contract.notices import Notice, SurroundingsReport
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.quantized_mesh_reading import SIDE
 from epf_gcs.maps.layer import Bounds, Description, Layer
@@ -80,7 +80,7 @@ class Station:
         )
 
     def _notice(self, notice: Notice) -> None:
-        assert isinstance(notice, SurroundingsSeen)
+        assert isinstance(notice, SurroundingsReport)
         self.told.append(notice.findings)
         self.watched, self.blind = notice.watched, notice.blind
 

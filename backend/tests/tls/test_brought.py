@@ -9,7 +9,7 @@ import pytest
 from cryptography.hazmat.primitives.asymmetric import ec
 
 from epf_gcs.errors import GatewayError
-from epf_gcs.tls.brought import Brought
+from epf_gcs.tls.brought import GivenCertificate
 from epf_gcs.tls.keeper import Keeper
 from tests.support.tls import private_pem, self_signed
 
@@ -18,14 +18,14 @@ NOW = datetime.now(UTC)
 
 def fault(certificate: Path, key: Path) -> GatewayError:
     with pytest.raises(GatewayError) as caught:
-        Keeper(Brought(certificate, key))
+        Keeper(GivenCertificate(certificate, key))
     return caught.value
 
 
 def test_certificate_and_key_that_belong_together_are_used(tmp_path: Path) -> None:
     for kind in ("ec", "2048"):
         certificate, key = self_signed(tmp_path, kind=kind)
-        keeper = Keeper(Brought(certificate, key))
+        keeper = Keeper(GivenCertificate(certificate, key))
         assert (keeper.in_use.kind, keeper.in_use.names) == ("brought", ["station.example"])
         assert keeper.in_use.authority_der() is None
         assert keeper.fault is None
@@ -35,7 +35,7 @@ def test_both_may_be_in_one_file(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
     both = tmp_path / "both.pem"
     both.write_bytes(certificate.read_bytes() + key.read_bytes())
-    assert Keeper(Brought(both, both)).in_use.names == ["station.example"]
+    assert Keeper(GivenCertificate(both, both)).in_use.names == ["station.example"]
 
 
 def test_a_file_that_is_not_there_or_no_file_is_named_with_its_option(tmp_path: Path) -> None:
@@ -93,17 +93,17 @@ def test_one_that_has_ended_or_not_begun_is_told_with_the_day(tmp_path: Path) ->
 
 def test_after_a_restart_which_may_be_in_flight_one_that_has_ended_is_better_than_no_page(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path, begins=NOW - timedelta(days=9), ends=NOW - timedelta(days=3))
-    keeper = Keeper(Brought(certificate, key), again=True)
+    keeper = Keeper(GivenCertificate(certificate, key), again=True)
     assert keeper.fault is not None
     assert keeper.fault.code == "tls_certificate_expired"
 
 
 def test_one_that_ends_soon_is_used_and_said(tmp_path: Path) -> None:
-    keeper = Keeper(Brought(*self_signed(tmp_path, ends=NOW + timedelta(days=5))))
+    keeper = Keeper(GivenCertificate(*self_signed(tmp_path, ends=NOW + timedelta(days=5))))
     assert keeper.fault is not None
     assert keeper.fault.code == "tls_ends_soon"
 
 
 def test_a_clock_that_was_never_set_does_not_shut_the_station(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
-    Keeper(Brought(certificate, key), now=lambda: datetime(1970, 1, 1, tzinfo=UTC))
+    Keeper(GivenCertificate(certificate, key), now=lambda: datetime(1970, 1, 1, tzinfo=UTC))

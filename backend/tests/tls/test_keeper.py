@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.errors import GatewayError
-from epf_gcs.tls.brought import Brought
+from epf_gcs.tls.brought import GivenCertificate
 from epf_gcs.tls.certificates import STATION_DAYS, fingerprint_of
 from epf_gcs.tls.identity import identity_of
 from epf_gcs.tls.keeper import Keeper
-from epf_gcs.tls.made import AUTHORITY_CERTIFICATE, Made
+from epf_gcs.tls.made import AUTHORITY_CERTIFICATE, OwnCertificate
 from tests.support.tls import self_signed, shake_hands, trusting
 
 pytestmark = pytest.mark.anyio
@@ -35,7 +35,7 @@ class Kept:
         self.addresses = ["192.168.1.20"]
         self.clock = Clock()
         self.clock.now -= timedelta(days=age_days)
-        self.keeper = Keeper(Made(self.folder, lambda: identity_of("pc", [], self.addresses)), self.clock)
+        self.keeper = Keeper(OwnCertificate(self.folder, lambda: identity_of("pc", [], self.addresses)), self.clock)
         self.said: list[str] = []
         self.keeper.on_fault = lambda fault: self.said.append(fault.code)
 
@@ -106,7 +106,7 @@ async def test_a_station_that_cannot_make_one_says_why_and_where(tmp_path: Path)
 
 async def test_brought_files_that_are_replaced_are_used_without_a_restart(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
-    keeper = Keeper(Brought(certificate, key))
+    keeper = Keeper(GivenCertificate(certificate, key))
     said: list[str] = []
     keeper.on_fault = lambda fault: said.append(fault.code)
     before = keeper.in_use.fingerprint
@@ -126,7 +126,7 @@ async def test_brought_files_that_are_replaced_are_used_without_a_restart(tmp_pa
 
 async def test_an_ended_certificate_does_not_take_the_place_of_a_good_one(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
-    keeper = Keeper(Brought(certificate, key))
+    keeper = Keeper(GivenCertificate(certificate, key))
     before = keeper.in_use.fingerprint
     now = datetime.now(UTC)
     ended = self_signed(tmp_path, begins=now - timedelta(days=9), ends=now - timedelta(days=3), name="ended")

@@ -11,7 +11,7 @@ import pytest
 
 from epf_gcs.tls.certificates import STATION_DAYS, addresses_of
 from epf_gcs.tls.identity import identity_of
-from epf_gcs.tls.made import AUTHORITY, AUTHORITY_CERTIFICATE, STATION, Made
+from epf_gcs.tls.made import AUTHORITY, AUTHORITY_CERTIFICATE, STATION, OwnCertificate
 
 NOW = datetime.now(UTC)
 
@@ -23,7 +23,7 @@ class Machine:
         self.addresses = ["192.168.1.20"]
         self.chosen: list[str] = []
         self.folder = folder / "tls"
-        self.made = Made(self.folder, lambda: identity_of("pc", self.chosen, self.addresses))
+        self.made = OwnCertificate(self.folder, lambda: identity_of("pc", self.chosen, self.addresses))
 
     def rights(self, name: str) -> int:
         return stat.S_IMODE((self.folder / name).stat().st_mode)

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from epf_gcs.vehicle.advice import MissingRow, Observed, Stream, advice
+from epf_gcs.vehicle.advice import AdviceFacts, MissingRow, Stream, advice
 
-GOOD = Observed(
+GOOD = AdviceFacts(
     rx_percent=82.0,
     tx_percent=33.0,
     servos_percent=42.0,
@@ -20,7 +20,7 @@ GOOD = Observed(
 
 
 def test_where_all_is_well_nothing_is_said() -> None:
-    assert advice(Observed()) == []
+    assert advice(AdviceFacts()) == []
     assert advice(GOOD) == []
 
 
@@ -95,7 +95,7 @@ def test_where_all_is_well_nothing_is_said() -> None:
     ],
 )
 def test_each_thing_that_is_wrong_is_said_once_with_its_values(
-    observed: Observed, code: str, level: str, params: dict[str, object], words: str
+    observed: AdviceFacts, code: str, level: str, params: dict[str, object], words: str
 ) -> None:
     (found,) = advice(observed)
     assert (found.code, found.level, found.params) == (code, level, params)
@@ -133,7 +133,7 @@ def test_limits_are_limits() -> None:
 
 @given(
     st.builds(
-        Observed,
+        AdviceFacts,
         silent_target=st.none() | st.text(),
         rx_percent=st.none() | st.floats(0, 300),
         tx_percent=st.none() | st.floats(0, 300),
@@ -146,7 +146,7 @@ def test_limits_are_limits() -> None:
         round_trip_p99_ms=st.none() | st.floats(0, 1e4),
     )
 )
-def test_warnings_come_first(observed: Observed) -> None:
+def test_warnings_come_first(observed: AdviceFacts) -> None:
     levels = [one.level for one in advice(observed)]
     assert levels == sorted(levels, key=["warning", "info"].index)
 
@@ -163,7 +163,7 @@ def test_many_slow_streams_are_one_hint_for_they_have_one_cause() -> None:
 
 def test_of_many_things_that_are_wrong_at_once_each_is_said_the_lines_first() -> None:
     found = advice(
-        Observed(
+        AdviceFacts(
             silent_target="/dev/ttyUSB0",
             rx_percent=95.6,
             tx_percent=96.7,

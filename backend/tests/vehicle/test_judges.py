@@ -14,8 +14,8 @@ from epf_gcs.vehicle.judges import (
     BatteryJudge,
     CpuJudge,
     DamageJudge,
+    Debounce,
     GpsJudge,
-    Lasting,
     Line,
     Loop,
     judge_card,
@@ -35,7 +35,7 @@ VOID = {"fix": 3, "valid": False}
 
 @given(st.lists(st.tuples(st.floats(0.01, 2.0), st.sampled_from((True, False, None)))))
 def test_a_condition_counts_only_once_it_has_lasted(looks: list[tuple[float, bool | None]]) -> None:
-    lasting = Lasting(3.0)
+    lasting = Debounce(3.0)
     now_s, held, same_since_s, previous = 0.0, False, 0.0, None
     for after_s, condition in looks:
         now_s += after_s
@@ -54,7 +54,7 @@ def test_a_condition_counts_only_once_it_has_lasted(looks: list[tuple[float, boo
 
 
 def test_what_nobody_knows_for_a_moment_changes_nothing_and_for_longer_does_not_hold() -> None:
-    lasting = Lasting(3.0)
+    lasting = Debounce(3.0)
     lasting.look(0.0, condition=True)
     assert lasting.look(3.0, condition=True)
     assert lasting.look(3.5, condition=None)

@@ -12,7 +12,7 @@ from epf_gcs.contract.answers import GainState
 from epf_gcs.vehicle.parameters import (
     BY_NAME,
     UNKNOWN,
-    Held,
+    GainRecord,
     after_read,
     as_held,
     differing,
@@ -105,6 +105,6 @@ def test_a_value_is_written_down_as_the_board_holds_it() -> None:
 
 
 def test_a_gain_is_given_with_what_it_is_and_what_it_was_as_they_were_written() -> None:
-    assert gain_state("k_int_pitch", Held()) == GainState()
-    held = Held(single(0.6), "confirmed", single(0.1))
+    assert gain_state("k_int_pitch", GainRecord()) == GainState()
+    held = GainRecord(single(0.6), "confirmed", single(0.1))
     assert gain_state("k_int_pitch", held) == GainState(0.6, "confirmed", 0.1)

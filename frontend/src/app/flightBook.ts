@@ -5,14 +5,14 @@ import type { Timers } from "../lib/timers";
 import type { StreamEvent } from "../protocol/envelope";
 import type { Gateway } from "../requests/asking";
 import type { BrowserStorage } from "../store/settings";
-import { type Seen, watching } from "./watching";
+import { type WatchedMoment, watching } from "./watching";
 
 /** What is gone through before take-off, and what is written down from then on. */
 export function createFlightBook(parts: {
   readonly rest: Gateway;
   readonly timers: Timers;
   readonly tabStorage: BrowserStorage | null;
-  readonly seen: Seen;
+  readonly seen: WatchedMoment;
 }): {
   readonly checklist: ChecklistPart;
   readonly flightLog: FlightLog;

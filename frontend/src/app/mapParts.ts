@@ -8,13 +8,13 @@ import { TRACK_LOG } from "../features/map/track/trackLog";
 import { createTrackLog } from "../features/map/track/trackRequests";
 import type { Timers } from "../lib/timers";
 import type { StreamEvent } from "../protocol/envelope";
-import type { AskingParts } from "../requests/asking";
+import type { RequesterParts } from "../requests/asking";
 import { createFieldWish, FIELD_WISH } from "../store/fieldWish";
 import type { Parts } from "../store/parts";
 
 /** What the map is made of: layers, fields that are brought before a flight, tracks, ground and fence, and what a press on it does. */
 export function createMapParts(
-  asking: AskingParts,
+  asking: RequesterParts,
   timers: Timers,
   report: (error: unknown) => void,
 ): { readonly addTo: (parts: Parts) => Parts; readonly takeEvent: (event: StreamEvent) => void } {

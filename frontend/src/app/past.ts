@@ -22,7 +22,7 @@ import { createPastPlans } from "../missions/pastPlans";
 import { MISSIONS } from "../missions/planDrafts";
 import { createSelection, SELECTION } from "../missions/selection";
 import type { StreamMessage } from "../protocol/envelope";
-import type { AskingParts } from "../requests/asking";
+import type { RequesterParts } from "../requests/asking";
 import { createKnownAt } from "../requests/knownAt";
 import { type AskReplay, createStreamQuestions } from "../requests/streamQuestions";
 import { FlightClock } from "../store/clock";
@@ -37,7 +37,7 @@ export const SHOWN = partName<StoreApi<{ readonly page: Page }>>("shown page");
 
 interface PastParts {
   readonly present: Page;
-  readonly asking: AskingParts;
+  readonly asking: RequesterParts;
   readonly timers: Timers;
   readonly playback: Playback;
   readonly dial: (place: PlaceInTime, listener: WireListener) => Wire;
@@ -131,7 +131,7 @@ function createPast(
   const vehicle = createVehicle(new FlightClock());
   const client = (): string | null => present.connection.getState().client;
   const moment_ms = (): number => (vehicle.telemetry.clock_s(asking.now_ms()) ?? 0) * 1000;
-  const pastAsking: AskingParts = { ...asking, commands: createCommands() };
+  const pastAsking: RequesterParts = { ...asking, commands: createCommands() };
   const servos = createServoSliders({ rest, timers, client, tell: () => undefined });
   const console_ = createBoardConsole({ rest, wall_ms: moment_ms });
   const known = createKnownAt(ask, timers, report);

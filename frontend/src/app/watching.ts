@@ -1,6 +1,6 @@
 import type { AlarmLogState } from "../features/alarms/alarmLog";
 import { activeAlarms } from "../features/alarms/raisedAlarms";
-import type { Watched } from "../features/checklist/checklist";
+import type { AutomaticCheck } from "../features/checklist/checklist";
 import type { ParameterStore } from "../features/parameters/parameterValues";
 import type { PlanStore } from "../missions/planDrafts";
 import { PARAMETERS } from "../protocol/messages.gen";
@@ -8,7 +8,7 @@ import type { ConnectionStore } from "../store/connection";
 import type { TelemetryStore } from "../store/telemetry";
 
 /** Where the page sees it. */
-export interface Seen {
+export interface WatchedMoment {
   readonly telemetry: TelemetryStore;
   readonly connection: ConnectionStore;
   readonly plans: PlanStore;
@@ -21,14 +21,14 @@ export interface Seen {
  * What the page sees of the present for the lines of the checklist. Whatever is not live is not seen: without the
  * gateway nothing is.
  */
-export function watching(parts: Seen): (watched: Watched) => boolean {
+export function watching(parts: WatchedMoment): (watched: AutomaticCheck) => boolean {
   const { telemetry, connection, plans, gains, alarms, now_ms } = parts;
   const isOpen = (): boolean => connection.getState().phase === "open";
   const active = () => {
     const { own, restart } = alarms.getState();
     return activeAlarms(connection.getState(), own, restart);
   };
-  const seen: Readonly<Record<Watched, () => boolean>> = {
+  const seen: Readonly<Record<AutomaticCheck, () => boolean>> = {
     gps: () => telemetry.liveFlag("gps", "valid", now_ms()) === true,
     battery: () =>
       (telemetry.liveNumber("analog", "battery_v", now_ms()) ?? 0) > 0 &&

@@ -33,7 +33,7 @@ const BENT = spectral3(
   (value) => value,
 );
 
-interface Made {
+interface Example {
   readonly count?: number;
   readonly noise?: number;
   readonly shape?: Matrix3;
@@ -44,7 +44,7 @@ interface Made {
 }
 
 /** Readings of a field of one, seen from everywhere, through a sensor with this shape and offset. */
-function readings(made: Made = {}): Vector[] {
+function readings(made: Example = {}): Vector[] {
   const { count = 600, noise = 0.005, shape = BENT, where = () => true, offset = OFFSET, seed = 7 } = made;
   const random = numbers(seed);
   const found: Vector[] = [];

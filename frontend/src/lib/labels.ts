@@ -49,7 +49,7 @@ export function placeLabels(
   before: ReadonlyMap<string, PlacedLabel>,
   taken: readonly LabelBox[] = [],
 ): Map<string, PlacedLabel> {
-  const ground = new TakenGround();
+  const ground = new OccupiedBoxes();
   for (const box of taken) {
     ground.take(box);
   }
@@ -68,7 +68,7 @@ export function placeLabels(
   return placed;
 }
 
-function freeSide(label: WantedLabel, last: number | null, ground: TakenGround): PlacedLabel | null {
+function freeSide(label: WantedLabel, last: number | null, ground: OccupiedBoxes): PlacedLabel | null {
   const sides = sidesOf(label);
   const order = last === null ? sides.keys() : [last, ...sides.keys()];
   for (const side of order) {
@@ -123,7 +123,7 @@ export function meets(one: LabelBox, other: LabelBox, gap_px = 0): boolean {
 }
 
 /** The boxes that are taken, found by the squares of a grid that they touch. */
-class TakenGround {
+class OccupiedBoxes {
   readonly #squares = new Map<string, LabelBox[]>();
 
   take(box: LabelBox): void {

@@ -2,7 +2,7 @@ import { act, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import type { Waypoint } from "../lib/plan";
-import { type Asked, Station } from "../test/station";
+import { type FakeRequest, Station } from "../test/station";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
 import { boardHas, editPlan, MISSIONS, noteHazards, usePlans } from "./planDrafts";
@@ -43,7 +43,7 @@ async function press(name: string | RegExp): Promise<void> {
   await user.click(screen.getByRole("button", { name }));
 }
 
-function newest(station: Station): Asked {
+function newest(station: Station): FakeRequest {
   const asked = station.asked.at(-1);
   if (asked === undefined) throw new Error("the page asked nothing");
   return asked;

@@ -31,7 +31,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const control = `plan.upload.${plan}`;
   const { state, stateText } = useAsked(control);
   const now = useFlown(plan, onBoard);
-  const [asked, setAsked] = useState<Flown | null>(null);
+  const [asked, setAsked] = useState<FlightInProgress | null>(null);
   // What an open question offers stays under the finger when the stream ends; it follows the board while that is known.
   const flown = asked === null || (now.row !== null && asked.row !== null) ? now : asked;
 
@@ -93,7 +93,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   );
 }
 
-interface Flown {
+interface FlightInProgress {
   /** A start at waypoint 1 would change where the board flies to, or may do so. */
   readonly isFlown: boolean;
   /** Row of the board's plan that it flies to; null without live data. */
@@ -102,7 +102,7 @@ interface Flown {
   readonly row: number | null;
 }
 
-function useFlown(plan: PlanName, onBoard: readonly Waypoint[] | null): Flown {
+function useFlown(plan: PlanName, onBoard: readonly Waypoint[] | null): FlightInProgress {
   const { topic, autopilot } = PLAN[plan];
   const draft = usePlans((plans) => plans[plan].draft.present);
   const to = useTelemetry((telemetry, now_ms) => telemetry.liveNumber(topic, "waypoint", now_ms));

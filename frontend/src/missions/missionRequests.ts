@@ -7,7 +7,7 @@ import { isMissionEvent, type PlanName } from "../protocol/missions";
 import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
-import { type AskingParts, createAsking, info } from "../requests/asking";
+import { createAsking, info, type RequesterParts } from "../requests/asking";
 import { wordsOf } from "../store/messages";
 import { questionIn } from "./importQuestion";
 import {
@@ -30,7 +30,7 @@ const TRANSFER_MS = 120_000;
 export function createPlanActions(
   plans: PlanStore,
   saveFile: (name: string, content: Blob) => void,
-  parts: AskingParts,
+  parts: RequesterParts,
 ): PlanActions {
   const { rest } = parts;
   const { run } = createAsking(parts);

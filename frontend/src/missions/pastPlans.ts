@@ -1,6 +1,6 @@
 import type { StreamEvent } from "../protocol/envelope";
 import { isMissionEvent, PLANS } from "../protocol/missions";
-import type { AskingParts } from "../requests/asking";
+import type { RequesterParts } from "../requests/asking";
 import type { KnownAt } from "../requests/knownAt";
 import { createPlanActions } from "./missionRequests";
 import { createPlans, fixPlan, forgetBoardPlan, type PlanActions } from "./planDrafts";
@@ -9,7 +9,7 @@ import { createPlans, fixPlan, forgetBoardPlan, type PlanActions } from "./planD
 export function createPastPlans(
   known: KnownAt,
   saveFile: (name: string, content: Blob) => void,
-  asking: AskingParts,
+  asking: RequesterParts,
 ): { readonly actions: PlanActions; readonly takeEvent: (event: StreamEvent) => void } {
   // Without a storage: the drafts that this browser remembers are of the present.
   const plans = createPlans(null);

@@ -9,12 +9,12 @@ export interface Problem {
   readonly params: Readonly<Record<string, unknown>>;
 }
 
-export interface Refused {
+export interface Refusal {
   readonly ok: false;
   readonly problem: Problem;
 }
 
-export type Answer<T> = { readonly ok: true; readonly value: T } | Refused;
+export type Answer<T> = { readonly ok: true; readonly value: T } | Refusal;
 
 /** An answer whose content does not matter: that it came says that it was done. */
 export function isDone(value: unknown): value is object | null {

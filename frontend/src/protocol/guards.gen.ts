@@ -297,14 +297,14 @@ export const isControlRequest = shape({
 export type ControlRequest = Checked<typeof isControlRequest>;
 
 /** Who has just lost control; it comes back without asking until then, while nobody else has asked for it. */
-export const isControlReserved = shape({
+export const isControlReservation = shape({
   client: isText,
   kind: oneOf("local", "person", "program"),
   name: isText,
   number: isNumber,
   until_s: isNumber,
 });
-export type ControlReserved = Checked<typeof isControlReserved>;
+export type ControlReservation = Checked<typeof isControlReservation>;
 
 /** The same, and all pages on the live stream, the longest first: control can be handed over to those that are no
  * viewers. */
@@ -315,7 +315,7 @@ export const isControlDetails = shape({
   number: nullable(isNumber),
   pages: list(isStreamPage),
   requests: list(isControlRequest),
-  reserved: nullable(isControlReserved),
+  reserved: nullable(isControlReservation),
   since_s: nullable(isNumber),
 });
 export type ControlDetails = Checked<typeof isControlDetails>;
@@ -329,7 +329,7 @@ export const isControlState = shape({
   name: nullable(isText),
   number: nullable(isNumber),
   requests: list(isControlRequest),
-  reserved: nullable(isControlReserved),
+  reserved: nullable(isControlReservation),
   since_s: nullable(isNumber),
 });
 export type ControlState = Checked<typeof isControlState>;
@@ -778,13 +778,13 @@ export const isParameterState = shape({
 export type ParameterState = Checked<typeof isParameterState>;
 
 /** What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted. */
-export const isFlightKnown = shape({
+export const isFlightKnowledge = shape({
   at_s: isNumber,
   identity: isFlightIdentity,
   missions: isKnownMissions,
   parameters: nullable(list(isParameterState)),
 });
-export type FlightKnown = Checked<typeof isFlightKnown>;
+export type FlightKnowledge = Checked<typeof isFlightKnowledge>;
 
 /** What a finished job left to be fetched from `/jobs/{id}/result`. */
 export const isJobResult = shape({
@@ -1038,10 +1038,10 @@ export const isJobList = shape({
 export type JobList = Checked<typeof isJobList>;
 
 /** The id of a job that was started. */
-export const isJobStarted = shape({
+export const isJobStart = shape({
   job: isText,
 });
-export type JobStarted = Checked<typeof isJobStarted>;
+export type JobStart = Checked<typeof isJobStart>;
 
 /** `before` is what the board had, null where that was not known; `after` is what it was asked to take. */
 export const isParameterChange = shape({

@@ -4,13 +4,13 @@ import type { TelemetryStore } from "../store/telemetry";
 import { LiveFlag } from "./LiveFlag";
 
 /** The aircraft whose autopilot is meant: the one with the board in it, or the simulator's. */
-type Flown = "flight" | "hil";
+type AutopilotSide = "flight" | "hil";
 
 const AUTOPILOT = { flight: "autopilot", hil: "autopilot_hil" } as const;
 const AUTOTRIM = { flight: "autotrim", hil: "autotrim_hil" } as const;
 
 /** Autopilot and autotrim of one aircraft. The simulator's say so by their names. */
-export function AutomaticFlags({ of }: { of: Flown }) {
+export function AutomaticFlags({ of }: { of: AutopilotSide }) {
   const { t } = useTranslation();
   return (
     <>

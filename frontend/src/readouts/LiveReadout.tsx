@@ -55,13 +55,13 @@ function QuantityReadout({ quantity, unit, ...rest }: Omit<Props, "as"> & { quan
   );
 }
 
-interface Painted extends Omit<Props, "as"> {
+interface ReadoutText extends Omit<Props, "as"> {
   readonly format: Format;
   /** The unit's name if it does not come from `unit`. */
   readonly word?: string;
 }
 
-function PaintedReadout({ topic, field, format, label, group, unit, word, chars, size }: Painted) {
+function PaintedReadout({ topic, field, format, label, group, unit, word, chars, size }: ReadoutText) {
   const { t } = useTranslation();
   const readout = useRef<ReadoutHandle>(null);
   const paint = useCallback(

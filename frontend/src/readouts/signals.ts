@@ -1,7 +1,7 @@
 import type { NumberField, TopicName } from "../protocol/topics";
 import type { TelemetryStore } from "../store/telemetry";
 
-interface Shown {
+interface SignalText {
   /** Its name for the user. */
   readonly label: string;
   /** Unit in the plot; signals of one unit share an axis. */
@@ -18,10 +18,10 @@ interface Shown {
 export type TopicSignal = {
   [T in TopicName]: { readonly topic: T; readonly field: NumberField<T> };
 }[TopicName] &
-  Shown;
+  SignalText;
 
 /** One of the eight values of a row of X-Plane, whatever the row means. */
-export interface RowSignal extends Shown {
+export interface RowSignal extends SignalText {
   readonly row: number;
   readonly index: number;
 }

@@ -4,7 +4,7 @@ import type { Outcome } from "../store/commands";
 import { failureMessage, type Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { Asker } from "./asking";
-import { type AskingParts, createAsking, info } from "./asking";
+import { createAsking, info, type RequesterParts } from "./asking";
 /** A serial port of the gateway's computer. */
 export interface Port {
   readonly device: string;
@@ -56,7 +56,7 @@ export interface Actions {
 
 export const ACTIONS = partName<Actions>("actions");
 
-export interface ActionParts extends AskingParts {
+export interface ActionParts extends RequesterParts {
   readonly client: () => string | null;
 }
 

@@ -33,7 +33,7 @@ export interface Asker {
   readonly asked?: string;
 }
 
-export interface AskingParts {
+export interface RequesterParts {
   readonly rest: Gateway;
   readonly commands: CommandStore;
   readonly messages: MessageStore;
@@ -42,7 +42,7 @@ export interface AskingParts {
   readonly wall_ms: () => number;
 }
 
-export interface Ended {
+export interface RequestEnd {
   readonly state: Outcome;
   readonly message: Message;
 }
@@ -50,9 +50,9 @@ export interface Ended {
 export type Question = readonly ["PUT" | "DELETE" | "POST", string, object?];
 
 /** Requests whose progress is in the command store and whose outcome is announced. */
-export interface Asking {
+export interface Requester {
   /** For a request whose outcome depends on the answer's value. */
-  readonly run: <T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended) => Promise<void>;
+  readonly run: <T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => RequestEnd) => Promise<void>;
   /** For a request whose answer only means that it was done. */
   readonly simply: (
     asker: Asker,
@@ -62,11 +62,11 @@ export interface Asking {
   ) => Promise<void>;
 }
 
-export function createAsking({ rest, commands, messages, now_ms }: AskingParts): Asking {
-  async function run<T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended): Promise<void> {
+export function createAsking({ rest, commands, messages, now_ms }: RequesterParts): Requester {
+  async function run<T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => RequestEnd): Promise<void> {
     const entry = begin(commands, asker.control, asker.asked ?? null);
     const answer = await ask;
-    const ended: Ended = answer.ok
+    const ended: RequestEnd = answer.ok
       ? end(answer.value)
       : { state: "rejected", message: failureMessage(answer.problem) };
     finish(commands, asker.control, entry, ended, now_ms());

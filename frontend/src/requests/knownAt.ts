@@ -1,12 +1,12 @@
 import { GuardedCalls } from "../lib/guardedCalls";
 import type { Timers } from "../lib/timers";
-import { type FlightKnown, isFlightKnown } from "../protocol/guards.gen";
+import { type FlightKnowledge, isFlightKnowledge } from "../protocol/guards.gen";
 import type { AskReplay } from "./streamQuestions";
 
 /** What was known of the board at the moment of a flight that is shown: its gains and plans. */
 export interface KnownAt {
   /** Called with what was known; with null from the moment on when that is no longer true. */
-  readonly onKnown: (hear: (known: FlightKnown | null) => void) => void;
+  readonly onKnown: (hear: (known: FlightKnowledge | null) => void) => void;
   /** Another moment is shown: ask what was known then. */
   readonly read: () => Promise<void>;
   readonly stop: () => void;
@@ -18,11 +18,11 @@ const FORGET_MS = 250;
 /** While a flight is played, its events say what changes. At each other moment, what was known then is asked for. */
 export function createKnownAt(ask: AskReplay, timers: Timers, report: (error: unknown) => void): KnownAt {
   const calls = new GuardedCalls(report);
-  const listeners: Array<(known: FlightKnown | null) => void> = [];
+  const listeners: Array<(known: FlightKnowledge | null) => void> = [];
   let asked = 0;
   let cancel: () => void = () => undefined;
 
-  function tell(known: FlightKnown | null): void {
+  function tell(known: FlightKnowledge | null): void {
     calls.each(listeners, (hear) => hear(known));
   }
 
@@ -40,7 +40,7 @@ export function createKnownAt(ask: AskReplay, timers: Timers, report: (error: un
       const answer = await ask("known");
       if (mine === asked) {
         cancel();
-        tell(isFlightKnown(answer) ? answer : null);
+        tell(isFlightKnowledge(answer) ? answer : null);
       }
     },
     stop: drop,

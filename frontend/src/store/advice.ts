@@ -1,7 +1,7 @@
 import { type Message, type MessageParams, wordsOf } from "./messages";
 
 /** What advice says, apart from its code. */
-export interface AdviceSaid {
+export interface AdviceMessage {
   readonly level: unknown;
   /** The gateway's own words, for a code that the page does not know. */
   readonly text: unknown;
@@ -9,7 +9,7 @@ export interface AdviceSaid {
 }
 
 /** Advice in the page's language by its code. */
-export function adviceMessage(code: string, { level, text, params }: AdviceSaid): Message {
+export function adviceMessage(code: string, { level, text, params }: AdviceMessage): Message {
   const words: MessageParams = wordsOf(typeof params === "object" && params !== null ? { ...params } : {});
   return {
     level: level === "warning" ? "warning" : "info",

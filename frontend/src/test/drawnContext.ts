@@ -5,7 +5,7 @@ export interface DrawnPoint {
 }
 
 /** One thing that was drawn, as it lies on the picture. */
-export interface Drawn {
+export interface Stroke {
   readonly kind: "rectangle" | "fill" | "stroke" | "text";
   /** Corners, or the lines of a path one by one. */
   readonly lines: ReadonlyArray<readonly DrawnPoint[]>;
@@ -71,7 +71,7 @@ export class DrawnPath {
 
 /** A 2D context that remembers what was drawn with it, and where on the picture that lies. */
 export class DrawnContext {
-  readonly drawn: Drawn[] = [];
+  readonly drawn: Stroke[] = [];
   globalAlpha = 1;
   fillStyle = "";
   strokeStyle = "";
@@ -142,10 +142,10 @@ export class DrawnContext {
   }
 
   #add(
-    kind: Drawn["kind"],
+    kind: Stroke["kind"],
     lines: ReadonlyArray<readonly DrawnPoint[]>,
     colour: string,
-    more: Partial<Drawn> = {},
+    more: Partial<Stroke> = {},
   ): void {
     const turn = this.#turn;
     this.drawn.push({

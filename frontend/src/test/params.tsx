@@ -7,15 +7,15 @@ import type { HeldParameter } from "../protocol/parameters";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
 import { aStatus } from "./aStatus";
-import { type Asked, Station } from "./station";
+import { type FakeRequest, Station } from "./station";
 
 export const user = userEvent.setup();
 export let station: Station;
 
-export type Known = Partial<Record<ParameterName, Partial<HeldParameter>>>;
+export type GainStates = Partial<Record<ParameterName, Partial<HeldParameter>>>;
 
 /** The gateway's list when the board has its defaults except for these. */
-export function listed(known: Known = {}): ParameterList {
+export function listed(known: GainStates = {}): ParameterList {
   return {
     parameters: PARAMETERS.map(({ setId, isInteger, ...info }) => ({
       ...info,
@@ -31,9 +31,9 @@ export function listed(known: Known = {}): ParameterList {
 
 export const unknown = Object.fromEntries(
   PARAMETERS.map(({ name }) => [name, { value: null, loaded: null, state: "unknown" }]),
-) as Known;
+) as GainStates;
 
-export function newest(method: string, path: RegExp): Asked {
+export function newest(method: string, path: RegExp): FakeRequest {
   const asked = station.asked
     .filter((question) => question.method === method && path.test(question.path))
     .at(-1);
@@ -48,7 +48,7 @@ export function writes(): unknown[] {
 }
 
 /** The view alone, with a gateway that knows this. */
-export async function open(known: Known = {}, status = aStatus()): Promise<void> {
+export async function open(known: GainStates = {}, status = aStatus()): Promise<void> {
   station = new Station(
     <WordsProvider words={WORDS}>
       <ParamsView />
@@ -66,7 +66,7 @@ export async function openPage(): Promise<void> {
   await answer({});
 }
 
-async function answer(known: Known): Promise<void> {
+async function answer(known: GainStates): Promise<void> {
   await newest("GET", /parameters$/).answer(listed(known));
   await newest("GET", /journal$/).answer({ entries: [], undo: null, redo: null });
 }

@@ -22,7 +22,7 @@ import { ManualSounder, ManualSpeaker } from "./sound";
 import { ManualTimers, ManualWire } from "./wire";
 
 /** A request of the page over REST, and its answer. */
-export interface Asked {
+export interface FakeRequest {
   readonly method: string;
   readonly path: string;
   readonly body: unknown;
@@ -52,11 +52,11 @@ export class Station {
   readonly speaker = new ManualSpeaker();
   readonly gamepads = new ManualGamepads();
   readonly wires: ManualWire[] = [];
-  readonly asked: Asked[] = [];
+  readonly asked: FakeRequest[] = [];
   /** What the time bar asks by itself about the flight that it shows. */
-  readonly askedByBar: Asked[] = [];
+  readonly askedByBar: FakeRequest[] = [];
   /** What the page asks about who may come in: also by itself, at each connection. */
-  readonly askedAccess: Asked[] = [];
+  readonly askedAccess: FakeRequest[] = [];
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];

@@ -4,13 +4,13 @@ import { Rest } from "./rest";
 
 const isNamed = shape({ name: isText });
 
-interface Sent {
+interface RequestCopy {
   path: string;
   init: RequestInit;
 }
 
 function restThat(answer: () => Response | Promise<Response>, client: string | null = "c1") {
-  const sent: Sent[] = [];
+  const sent: RequestCopy[] = [];
   const fetch = async (path: string, init: RequestInit): Promise<Response> => {
     sent.push({ path, init });
     return answer();

@@ -1,5 +1,5 @@
 import { type Check, faultIn, isObject, isText } from "../lib/check";
-import type { Answer, Problem, Refused } from "../protocol/answers";
+import type { Answer, Problem, Refusal } from "../protocol/answers";
 
 /** A file under way to the gateway. */
 export interface UploadInit {
@@ -161,12 +161,12 @@ async function jsonOf(response: Response): Promise<unknown> {
   return text === "" ? null : parse(text);
 }
 
-function unreachable(): Refused {
+function unreachable(): Refusal {
   return failed("gateway_unreachable", "The gateway does not answer: check that it runs, then try again.");
 }
 
 /** An answer that does not fit at this path of `faultIn`. */
-function misfit(path: string): Refused {
+function misfit(path: string): Refusal {
   const field = path.replace(/^\./, "");
   return field === ""
     ? failed("answer_unreadable", "The gateway's answer is not as agreed: load the page again.")
@@ -175,7 +175,7 @@ function misfit(path: string): Refused {
       });
 }
 
-function failed(code: string, detail: string, params: Problem["params"] = {}): Refused {
+function failed(code: string, detail: string, params: Problem["params"] = {}): Refusal {
   return { ok: false, problem: { code, detail, params } };
 }
 

@@ -27,7 +27,7 @@ export interface EndedItem {
   blocked?: string | undefined;
 }
 
-interface Ended {
+interface EndOfAlarm {
   label: string;
   items: readonly EndedItem[];
   /** Accessible name of the button that acknowledges one. */
@@ -36,7 +36,7 @@ interface Ended {
 
 interface Props {
   label: string;
-  ended: Ended;
+  ended: EndOfAlarm;
   /** The most urgent first. */
   alarms: readonly AlarmItem[];
   /** Accessible name and text of the button that acknowledges one alarm. */
@@ -85,7 +85,7 @@ export function AlarmStrip({ label, alarms, ended, acknowledge, children }: Prop
 }
 
 /** Outside the live regions: the end of an alarm must not interrupt a screen reader. */
-function Traces({ label, items, acknowledge }: Ended) {
+function Traces({ label, items, acknowledge }: EndOfAlarm) {
   return (
     <div className="ui-alarms-ended">
       <span className="ui-alarms-ended-label">{label}</span>

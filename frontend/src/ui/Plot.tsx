@@ -125,7 +125,7 @@ function aligned(data: PlotData): uPlot.AlignedData {
   return data as unknown as uPlot.AlignedData;
 }
 
-interface Wanted extends Look {
+interface PlotOptions extends Look {
   readonly series: readonly PlotSeries[];
   readonly window_s: number;
   readonly secondsUnit: string;
@@ -134,7 +134,7 @@ interface Wanted extends Look {
   readonly marks: () => readonly PlotMark[];
 }
 
-function options(wanted: Wanted): uPlot.Options {
+function options(wanted: PlotOptions): uPlot.Options {
   const { series, window_s, secondsUnit, size, colour, fontSize_px, onPoint, marks } = wanted;
   const units = [...new Set(series.map(({ unit }) => unit))];
   const look = axisLook(wanted);

@@ -16,12 +16,12 @@ from functools import partial
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.access.caller import LOCAL, LOCAL_SESSION, Caller, Shown, is_loopback
+from epf_gcs.access.caller import LOCAL, LOCAL_SESSION, Caller, Credentials, is_loopback
 from epf_gcs.access.invitations import Invitations
 from epf_gcs.access.log import DeedLog
 from epf_gcs.access.moment import Moment
 from epf_gcs.access.programs import Programs
-from epf_gcs.access.proving import Proving
+from epf_gcs.access.proving import KeyVerifier
 from epf_gcs.access.roles import Role
 from epf_gcs.access.sessions import LASTS_S, Sessions
 from epf_gcs.access.store import AccessStore, Person, Program, Session
@@ -85,7 +85,7 @@ class Admission:
     async def running(self) -> AsyncIterator[None]:
         """Read who may come in, and write when they were last heard, inside."""
         self.store = self._open_store()
-        self.proving = Proving(time.monotonic)
+        self.proving = KeyVerifier(time.monotonic)
         self.sessions = Sessions(self.store.all(Person), self.store.all(Session))
         self.sessions.on_ended = self._tell_ended
         self.sessions.on_changed = self._tell_changed
@@ -114,7 +114,7 @@ class Admission:
             self._report(error)
             return AccessStore.copied(self._data_dir)
 
-    def resolve(self, shown: Shown) -> Caller | None:
+    def resolve(self, shown: Credentials) -> Caller | None:
         """Who this is; None for a stranger, and for a program whose key `prove` has not seen yet."""
         if not self._opened:
             return None
@@ -130,11 +130,11 @@ class Admission:
             return Caller("person", ANYONE, "", Role.operator, f"{ANYONE}@{shown.peer.host}")
         return caller
 
-    def needs_proof(self, shown: Shown) -> bool:
+    def needs_proof(self, shown: Credentials) -> bool:
         """Whether a key is shown that `prove` has to look at first."""
         return shown.authorization is not None and self._opened and self.resolve(shown) is None
 
-    async def prove(self, shown: Shown) -> Caller | None:
+    async def prove(self, shown: Credentials) -> Caller | None:
         """As `resolve`, after holding an unknown key against its hash. Raises TooManyError."""
         key = bearer_key(shown.authorization or "")
         address = shown.peer.host
@@ -151,7 +151,7 @@ class Admission:
             return Caller("person", ANYONE, "", Role.operator, session_id) if self.policy.anyone_may_fly else None
         return self.sessions.current(session_id) or self.programs.current(session_id)
 
-    def cookie(self, shown: Shown) -> str | None:
+    def cookie(self, shown: Credentials) -> str | None:
         """The session's cookie, if one was sent."""
         name = self.cookie_name + "="
         for part in shown.cookies.split(";"):
@@ -166,12 +166,12 @@ class Admission:
         lasts = int(LASTS_S) if value else 0
         return f"{self.cookie_name}={value}; Max-Age={lasts}; Path=/; HttpOnly; SameSite=Strict{secure}"
 
-    def find(self, shown: Shown) -> tuple[Session, Person] | None:
+    def find(self, shown: Credentials) -> tuple[Session, Person] | None:
         """The session of the cookie, of somebody admitted, waiting or ended."""
         cookie = self.cookie(shown)
         return None if cookie is None else self.sessions.find(cookie, self.clock.now_s())
 
-    async def enter(self, key: str, name: str, place: str, shown: Shown) -> tuple[str, Person, Session]:
+    async def enter(self, key: str, name: str, place: str, shown: Credentials) -> tuple[str, Person, Session]:
         """Use up a one-time key: a new person with a new session, and its cookie.
 
         The session that this browser had before, if any, ends: a cookie that somebody else planted is worth nothing.
@@ -194,7 +194,7 @@ class Admission:
         self.log.note(self.sessions.current(session.id), address, "entered", role.name, "done")
         return entered
 
-    async def ask(self, name: str, place: str, shown: Shown) -> tuple[str, Person, Session]:
+    async def ask(self, name: str, place: str, shown: Credentials) -> tuple[str, Person, Session]:
         """Somebody without a key waits to be let in. Raises TooManyError, ConflictError."""
         address = shown.peer.host
         # Nothing is compared: asking is only as slow as guessing.

@@ -11,14 +11,14 @@ from typing import Final
 from epf_gcs.access import refusals
 from epf_gcs.access.changes import (
     Effect,
-    HolderChanged,
+    HolderChange,
     KeptOver,
     Page,
     Reason,
-    RequestClosed,
-    RequestOpened,
+    RequestEnd,
+    RequestStart,
     Result,
-    StickLost,
+    StickLoss,
 )
 from epf_gcs.access.roles import Role
 
@@ -185,7 +185,7 @@ class Authority:
             if wait_s > 0.0:
                 raise refusals.refused(self.holder, wait_s)
             self.requests[client] = now_s
-            self._effects.append(RequestOpened(page))
+            self._effects.append(RequestStart(page))
         return self._done()
 
     def withdraw(self, client: str) -> list[Effect]:
@@ -263,12 +263,12 @@ class Authority:
         self.since_s = self._did_s = now_s
         self.last = self.kept_until_s = None
         self._close(page, "given")
-        self._effects.append(HolderChanged(page, reason, before))
+        self._effects.append(HolderChange(page, reason, before))
 
     def _free(self, reason: Reason) -> None:
         before, self.holder, self.hung = self.holder, None, None
         self._let_stick_go()
-        self._effects.append(HolderChanged(None, reason, before))
+        self._effects.append(HolderChange(None, reason, before))
 
     def _lose(self, reason: Reason, now_s: float) -> None:
         self.last = self.holder
@@ -284,7 +284,7 @@ class Authority:
 
     def _let_stick_go(self) -> None:
         if self.stick is not None:
-            self._effects.append(StickLost(self.stick))
+            self._effects.append(StickLoss(self.stick))
             self.stick = None
 
     def _kept_over(self, now_s: float) -> None:
@@ -314,7 +314,7 @@ class Authority:
 
     def _close(self, page: Page, result: Result) -> None:
         if self.requests.pop(page.client, None) is not None:
-            self._effects.append(RequestClosed(page, result))
+            self._effects.append(RequestEnd(page, result))
 
     def _connected(self, client: str) -> Page:
         page = self.pages.get(client)

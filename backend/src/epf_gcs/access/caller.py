@@ -61,7 +61,7 @@ def _own_user() -> int:
     return os.getuid() if hasattr(os, "getuid") else UNTOLD
 
 
-class Shown(NamedTuple):
+class Credentials(NamedTuple):
     """What a request or a handshake shows of its caller."""
 
     peer: Peer
@@ -70,7 +70,7 @@ class Shown(NamedTuple):
     proxied: bool
 
     @classmethod
-    def of(cls, headers: Iterable[tuple[bytes, bytes]], peer: Peer) -> Shown:
+    def of(cls, headers: Iterable[tuple[bytes, bytes]], peer: Peer) -> Credentials:
         """From raw headers with names in lower case."""
         cookies: list[str] = []
         keys: list[str] = []

@@ -53,7 +53,7 @@ class Page:
 
 
 @dataclass(frozen=True, slots=True)
-class HolderChanged:
+class HolderChange:
     """`page` has control now, None: nobody. `before` had it."""
 
     page: Page | None
@@ -69,14 +69,14 @@ class KeptOver:
 
 
 @dataclass(frozen=True, slots=True)
-class RequestOpened:
+class RequestStart:
     """`page` asks the holder for control."""
 
     page: Page
 
 
 @dataclass(frozen=True, slots=True)
-class RequestClosed:
+class RequestEnd:
     """What became of it."""
 
     page: Page
@@ -84,10 +84,10 @@ class RequestClosed:
 
 
 @dataclass(frozen=True, slots=True)
-class StickLost:
+class StickLoss:
     """This page's hand is no longer on the stick."""
 
     client: str
 
 
-Effect = HolderChanged | KeptOver | RequestOpened | RequestClosed | StickLost
+Effect = HolderChange | KeptOver | RequestStart | RequestEnd | StickLoss

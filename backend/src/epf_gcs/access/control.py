@@ -12,14 +12,14 @@ from typing import Any, Final, Protocol, cast
 from epf_gcs.access import refusals
 from epf_gcs.access.authority import KEPT_S, Authority
 from epf_gcs.access.caller import LOCAL_SESSION, Caller
-from epf_gcs.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
+from epf_gcs.access.changes import Effect, HolderChange, KeptOver, Page, RequestEnd, RequestStart, StickLoss
 from epf_gcs.access.roles import Role, RoleName
 from epf_gcs.access.watch import LOOK_EVERY_S, Line, Watch
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
 from epf_gcs.contract.hello import ControlHolder
-from epf_gcs.contract.notices import ControlChanged, Notice, StickReleased
-from epf_gcs.contract.status import ControlRequest, ControlReserved, ControlState
+from epf_gcs.contract.notices import ControlChange, Notice, StickRelease
+from epf_gcs.contract.status import ControlRequest, ControlReservation, ControlState
 from epf_gcs.repeating import Repeating, report_failure
 from epf_gcs.xplane.datagram import Surfaces
 
@@ -31,7 +31,7 @@ _SOMEBODY: Final = "somebody"
 _NAMELESS: Final[dict[str, Any]] = {"client": None, "name": None, "kind": None, "number": None}
 
 
-class Told(Protocol):
+class ControlListener(Protocol):
     """Who hears of changes."""
 
     def event(self, kind: str, data: dict[str, Any]) -> None:
@@ -47,7 +47,9 @@ class Told(Protocol):
 class Control:
     """Owned by the event loop. A page is a live stream; its id is no secret, for it works only for its own session."""
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, clock: Clock, told: Told, *, by_silence: bool = False) -> None:
+    def __init__(
+        self, loop: asyncio.AbstractEventLoop, clock: Clock, told: ControlListener, *, by_silence: bool = False
+    ) -> None:
         """`by_silence`: the owner chose that a request which the holder does not answer is granted by time alone."""
         self._loop = loop
         self._clock = clock
@@ -60,7 +62,7 @@ class Control:
         self._sessions: OrderedDict[str, str] = OrderedDict()
         self._stick_at: Surfaces | None = None
         # Whoever keeps a log of it.
-        self.on_holder: Callable[[HolderChanged], None] = lambda _: None
+        self.on_holder: Callable[[HolderChange], None] = lambda _: None
         self._looking = Repeating(loop, "the watch over control", self._look, after_failure_s=LOOK_EVERY_S)
 
     @property
@@ -104,7 +106,7 @@ class Control:
         self._belongs(client_id, caller.session)
         self._apply(self._rules.connect(page, self._clock.steady_s()))
         # Samples of an earlier stream of the same page must not count as those of this one.
-        self._told.notice(StickReleased(client_id))
+        self._told.notice(StickRelease(client_id))
         self._looking.arm(LOOK_EVERY_S)
         return page
 
@@ -112,7 +114,7 @@ class Control:
         """A stream is closed. Idempotent, also where another stream has its id by now."""
         if self._lines.get(client_id) is line:
             self._apply(self._rules.disconnect(client_id, self._clock.steady_s()))
-            self._told.notice(StickReleased(client_id))
+            self._told.notice(StickRelease(client_id))
             self._forget(client_id)
 
     def change_session(self, caller: Caller) -> None:
@@ -130,7 +132,7 @@ class Control:
         pages = [page for page in self._rules.pages.values() if page.session == session]
         self._apply(self._rules.end(session, self._clock.steady_s()))
         for page in pages:
-            self._told.notice(StickReleased(page.client))
+            self._told.notice(StickRelease(page.client))
             self._forget(page.client)
 
     def restore(self, kept: ControlHolder) -> None:
@@ -151,11 +153,11 @@ class Control:
         """
         page = self._rules.holder or self._rules.kept_for or put_out
         if page is None:
-            self._told.notice(ControlChanged())
+            self._told.notice(ControlChange())
             return
         about = {"session": page.session, "kind": page.kind, "number": page.number}
         kept = self._rules.holder is None
-        self._told.notice(ControlChanged(page.client, page.name, about, kept))
+        self._told.notice(ControlChange(page.client, page.name, about, kept))
 
     def own(self, caller: Caller, client_id: str) -> str:
         """The id, if it is of the caller's session: an id that is not known is nobody's. Raises NotYoursError."""
@@ -221,7 +223,7 @@ class Control:
             since_s=None if rules.holder is None else self._unix(rules.since_s),
             reserved=None
             if kept is None or until_s is None
-            else ControlReserved(**fields(kept), until_s=self._unix(until_s)),
+            else ControlReservation(**fields(kept), until_s=self._unix(until_s)),
             requests=[self._request(rules.pages[client]) for client in rules.requests],
         )
 
@@ -265,7 +267,7 @@ class Control:
         gone: list[str] = []
         for effect in effects:
             match effect:
-                case HolderChanged(page, reason, before):
+                case HolderChange(page, reason, before):
                     self._stick_at = None
                     self.tell_flight(before if reason == "ended" else None)
                     if reason == "ended":
@@ -275,17 +277,17 @@ class Control:
                     self._told.event("control", {**fields(page), "reason": reason, "before": before_fields})
                 case KeptOver():
                     self.tell_flight()
-                case StickLost(client):
+                case StickLoss(client):
                     self._stick_at = None
                     gone.append(client)
-                case RequestOpened(page):
+                case RequestStart(page):
                     self._told.event("control_request", asdict(self._request(page)))
-                case RequestClosed(page, result):
+                case RequestEnd(page, result):
                     self._told.event("control_request_closed", {**fields(page), "result": result})
             self._told.changed()
         # After the holder, which says whether the choice of that gamepad has ended or only its samples.
         for client in gone:
-            self._told.notice(StickReleased(client))
+            self._told.notice(StickRelease(client))
 
     def _look(self) -> float | None:
         """Look at the lines of those whose silence matters: who has control, who asks, and who was silent."""

@@ -28,7 +28,7 @@ class _Failures:
     until_s: float
 
 
-class Guessing:
+class GuessLimiter:
     """`now_s` is a steady clock's."""
 
     def __init__(self) -> None:

@@ -8,7 +8,7 @@ from typing import Final
 
 from epf_gcs.access.keys import NO_HASH, Parts, fits, hash_of, new_one_time_key, one_time_key
 from epf_gcs.access.moment import Moment
-from epf_gcs.access.proving import Proving
+from epf_gcs.access.proving import KeyVerifier
 from epf_gcs.access.roles import Role
 from epf_gcs.access.store import AccessStore, Invitation
 from epf_gcs.errors import ConflictError, NotFoundError
@@ -19,7 +19,7 @@ MOST_INVITATIONS: Final = 500
 class Invitations:
     """Kept in the store alone, because another program may have put one there a moment ago."""
 
-    def __init__(self, store: AccessStore, proving: Proving) -> None:
+    def __init__(self, store: AccessStore, proving: KeyVerifier) -> None:
         self._store = store
         self._proving = proving
 

@@ -18,7 +18,7 @@ _HOUR_S: Final = 3600.0
 _SOCKETS_S: Final = 10
 
 
-class Most(NamedTuple):
+class RoleLimits(NamedTuple):
     """Limits of a role. A globe asks for hundreds of tiles at once, hence the requests at once.
 
     A class behind one address loads the page's sixty files twenty times before anybody has entered.
@@ -30,11 +30,11 @@ class Most(NamedTuple):
     sockets: int
 
 
-STRANGERS: Final = Most(20.0, 2000.0, 0.0, 0)
-OF_ROLE: Final[dict[Role, Most]] = {
-    Role.viewer: Most(50.0, 3000.0, 0.0, 8),
-    Role.operator: Most(100.0, 6000.0, 4e9, 16),
-    Role.owner: Most(200.0, 12000.0, 16e9, 16),
+STRANGERS: Final = RoleLimits(20.0, 2000.0, 0.0, 0)
+OF_ROLE: Final[dict[Role, RoleLimits]] = {
+    Role.viewer: RoleLimits(50.0, 3000.0, 0.0, 8),
+    Role.operator: RoleLimits(100.0, 6000.0, 4e9, 16),
+    Role.owner: RoleLimits(200.0, 12000.0, 16e9, 16),
 }
 UPLOADS_OF_ALL_BYTES_PER_H: Final = 32e9
 

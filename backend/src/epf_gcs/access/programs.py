@@ -8,7 +8,7 @@ from typing import Final
 
 from epf_gcs.access.caller import Caller
 from epf_gcs.access.keys import NO_HASH, Parts, digest_of, fits, hash_of, new_program_key, program_key
-from epf_gcs.access.proving import Proving
+from epf_gcs.access.proving import KeyVerifier
 from epf_gcs.access.roles import Role
 from epf_gcs.access.store import Program
 from epf_gcs.errors import ConflictError, NotFoundError
@@ -19,7 +19,7 @@ MOST_PROGRAMS: Final = 200
 class Programs:
     """Owned by the event loop."""
 
-    def __init__(self, programs: Iterable[Program], proving: Proving) -> None:
+    def __init__(self, programs: Iterable[Program], proving: KeyVerifier) -> None:
         self._proving = proving
         self._programs: dict[str, Program] = {program.id: program for program in programs}
         # SHA-256 of a proven key -> id.

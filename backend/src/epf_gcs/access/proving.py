@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from math import ceil
 from typing import Final, TypeVar
 
-from epf_gcs.access.guessing import Guessing
+from epf_gcs.access.guessing import GuessLimiter
 from epf_gcs.errors import TooManyError
 
 MOST_WAITING: Final = 16
@@ -17,14 +17,14 @@ _BUSY_S: Final = 2
 T = TypeVar("T")
 
 
-class Proving:
+class KeyVerifier:
     """Owned by the event loop. `steady_s` is a steady clock."""
 
     def __init__(self, steady_s: Callable[[], float]) -> None:
         self._steady_s = steady_s
         self._thread = ThreadPoolExecutor(1, "keys")
         self._waiting = 0
-        self.guessing = Guessing()
+        self.guessing = GuessLimiter()
 
     def close(self) -> None:
         """End the thread. Blocks until what it does is done."""

@@ -98,7 +98,7 @@ class Record(NamedTuple):
     body: bytes
 
 
-class Named(NamedTuple):
+class NamedText(NamedTuple):
     """The body of a SAMPLE or an EVENT. `text` is JSON, ready for a viewer."""
 
     t_s: float
@@ -125,7 +125,7 @@ def pack_event(kind: str, t_s: float, data: Any) -> bytes:
     return pack(Kind.EVENT, _STAMP.pack(t_s, len(name)) + name + text)
 
 
-def unpack_named(body: bytes) -> Named:
+def unpack_named(body: bytes) -> NamedText:
     """The body of a SAMPLE or an EVENT. Raises BusError."""
     if len(body) < _STAMP.size:
         raise BusError("a record is shorter than its fields")
@@ -134,7 +134,7 @@ def unpack_named(body: bytes) -> Named:
     if len(body) < end:
         raise BusError("a record is shorter than its name")
     try:
-        return _new_tuple(Named, (t_s, body[_STAMP.size : end].decode(), body[end:]))
+        return _new_tuple(NamedText, (t_s, body[_STAMP.size : end].decode(), body[end:]))
     except UnicodeDecodeError as error:
         raise BusError("a record's name is not text") from error
 

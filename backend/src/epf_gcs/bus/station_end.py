@@ -18,7 +18,7 @@ from epf_gcs.bus.definition import (
     BusError,
     Decoder,
     Kind,
-    Named,
+    NamedText,
     Record,
     converted,
     pack_notice,
@@ -52,13 +52,13 @@ class Listener(Protocol):
     def on_hello(self, hello: Hello) -> None:
         """Connected to the vehicle; the newest sample of every topic follows."""
 
-    def on_sample(self, sample: Named) -> None:
+    def on_sample(self, sample: NamedText) -> None:
         """The newest values of a topic."""
 
     def on_samples_end(self) -> None:
         """All samples that arrived together were passed to `on_sample`."""
 
-    def on_event(self, event: Named) -> None:
+    def on_event(self, event: NamedText) -> None:
         """Something happened."""
 
     def on_status(self, status: Status) -> None:

@@ -235,7 +235,7 @@ class KnownMissions(Shape):
 
 
 @dataclass(frozen=True, slots=True)
-class FlightKnown(Shape):
+class FlightKnowledge(Shape):
     """What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted."""
 
     at_s: float

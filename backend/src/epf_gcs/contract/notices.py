@@ -21,7 +21,7 @@ class Pace(Notice):
 
 
 @dataclass(frozen=True, slots=True)
-class StickMoved(Notice):
+class StickSample(Notice):
     """A sample of a page's gamepad, as the page sent it."""
 
     client: str
@@ -29,14 +29,14 @@ class StickMoved(Notice):
 
 
 @dataclass(frozen=True, slots=True)
-class StickReleased(Notice):
+class StickRelease(Notice):
     """This page's stick is let go: its stream has ended, or it has lost control."""
 
     client: str
 
 
 @dataclass(frozen=True, slots=True)
-class ControlChanged(Notice):
+class ControlChange(Notice):
     """The page that has control, or that has just lost it and may come back (`kept`); None: nobody.
 
     `about`: what the station wants to be told again of it when it has been restarted.
@@ -49,7 +49,7 @@ class ControlChanged(Notice):
 
 
 @dataclass(frozen=True, slots=True)
-class SurroundingsSeen(Notice):
+class SurroundingsReport(Notice):
     """All that is wrong with ground and fence now; what is not in it is over.
 
     `watched`: what a person wants to be warned of, "terrain" and "fence", or "unknown" where the choice cannot be read.

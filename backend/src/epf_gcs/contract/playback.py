@@ -69,7 +69,7 @@ class Want(Notice):
 
 
 @dataclass(frozen=True, slots=True)
-class Taken(Notice):
+class SampleCredit(Notice):
     """A viewer of every sample has been sent so many: the replay may go on."""
 
     count: int

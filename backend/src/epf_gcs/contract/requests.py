@@ -15,7 +15,7 @@ from epf_gcs.contract.answers import (
     AlarmBook,
     CommandOutcome,
     DiskPolicy,
-    FlightKnown,
+    FlightKnowledge,
     GainState,
     LinkResult,
     Mark,
@@ -62,7 +62,7 @@ class ReadInspector(Request[Inspector]):
 
 
 @dataclass(frozen=True, slots=True)
-class ReadKnown(Request[FlightKnown]):
+class ReadKnown(Request[FlightKnowledge]):
     """Identity, gains and plans at the moment that a replay shows."""
 
 

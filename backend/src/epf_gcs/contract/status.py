@@ -211,7 +211,7 @@ class TopicHealth(Shape):
 
 
 @dataclass(frozen=True, slots=True)
-class ControlReserved(Shape):
+class ControlReservation(Shape):
     """Who has just lost control; it comes back without asking until then, while nobody else has asked for it."""
 
     client: str
@@ -247,7 +247,7 @@ class ControlState(Shape):
     kind: PageKind | None = None
     number: int | None = None
     since_s: float | None = None
-    reserved: ControlReserved | None = None
+    reserved: ControlReservation | None = None
     requests: list[ControlRequest] = field(default_factory=list)
 
 

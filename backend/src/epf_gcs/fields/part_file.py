@@ -23,7 +23,7 @@ CREATE TABLE IF NOT EXISTS pieces (
 _WAIT_S: Final = 20.0
 
 
-class Arrived(NamedTuple):
+class TileCounts(NamedTuple):
     """Counts of one kind. `missing`: the source has none there."""
 
     pieces: int
@@ -55,10 +55,10 @@ class PartFile:
         found = self._file.execute("SELECT zoom, tile_column, tile_row FROM pieces WHERE kind = ?", (kind,))
         return {Place(*row) for row in found}
 
-    def arrived(self, kind: Kind) -> Arrived:
+    def arrived(self, kind: Kind) -> TileCounts:
         """How much there is of a kind."""
         sql = "SELECT count(*), coalesce(sum(length(data) = 0), 0), coalesce(sum(length(data)), 0) FROM pieces"
-        return Arrived(*self._file.execute(f"{sql} WHERE kind = ?", (kind,)).fetchone())
+        return TileCounts(*self._file.execute(f"{sql} WHERE kind = ?", (kind,)).fetchone())
 
     def pieces(self, kind: Kind) -> Iterator[tuple[Place, bytes]]:
         """Those that the source has, in order. Raises ValueError with the place if one is not as it arrived."""

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.fields.order import Kind, Order, estimate, made_bytes, mean_bytes
-from epf_gcs.fields.part_file import Arrived, PartFile
+from epf_gcs.fields.part_file import PartFile, TileCounts
 from epf_gcs.repeating import repeat
 
 _TELL_EVERY_S: Final = 0.25
@@ -21,7 +21,7 @@ class Progress:
 
     def __init__(self, order: Order, arrived: PartFile, say: Callable[[dict[str, Any]], None]) -> None:
         self._say = say
-        self._arrived: dict[Kind, Arrived] = {part.kind: arrived.arrived(part.kind) for part in order.parts}
+        self._arrived: dict[Kind, TileCounts] = {part.kind: arrived.arrived(part.kind) for part in order.parts}
         self._total: dict[Kind, int] = dict.fromkeys(self._arrived, 0)
         for level in estimate(order):
             self._total[level.kind] += level.tiles
@@ -37,7 +37,7 @@ class Progress:
     def came(self, kind: Kind, length: int) -> None:
         """A piece arrived; length 0: the source has none there."""
         before = self._arrived[kind]
-        self._arrived[kind] = Arrived(before.pieces + 1, before.missing + (length == 0), before.bytes + length)
+        self._arrived[kind] = TileCounts(before.pieces + 1, before.missing + (length == 0), before.bytes + length)
         self.tell()
 
     def waits(self, problem: GatewayError | None, wait_s: float) -> None:

@@ -25,7 +25,7 @@ from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
-from epf_gcs.flight.board.rearming import Rearming
+from epf_gcs.flight.board.rearming import Rearmer
 from epf_gcs.flight.clock.clock_watch import ClockWatch
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
@@ -96,7 +96,7 @@ class Flight:
         )
         self.parameters = Parameters(self.board, self.commands, self.outlet, self.journal)
         self.missions = Missions(self.board, self.commands, self.outlet)
-        self.rearming = Rearming(
+        self.rearming = Rearmer(
             board=self.board,
             commands=self.commands,
             telemetry=self.telemetry,

@@ -36,7 +36,7 @@ class Frames(NamedTuple):
     payload: NDArray[np.void]
 
 
-class Damaged(NamedTuple):
+class DamageReport(NamedTuple):
     """Bytes that are no frame, as the live decoder reports them, and when they had come (Unix ns)."""
 
     t_ns: int
@@ -44,11 +44,11 @@ class Damaged(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Decoded:
+class StretchContents:
     """What a stretch of the line held: the frames of each message that came, and the damage, in order."""
 
     frames: dict[Message, Frames]
-    damage: list[Damaged]
+    damage: list[DamageReport]
 
 
 class BulkDecoder:
@@ -75,7 +75,7 @@ class BulkDecoder:
         self._fed = 0
         self._named = 0
 
-    def feed(self, data: Bytes, ends: Places, t_ns: Places) -> Decoded:
+    def feed(self, data: Bytes, ends: Places, t_ns: Places) -> StretchContents:
         """Take the next bytes of the line: `data` of shape (n,).
 
         They came in records: `ends` has the offset in `data` after the last byte of each, ascending, and `t_ns` its
@@ -85,12 +85,12 @@ class BulkDecoder:
         joined = np.concatenate((self._left, data)) if len(self._left) else data
         return self._decode(joined, times, is_over=False)
 
-    def finish(self) -> Decoded:
+    def finish(self) -> StretchContents:
         """The stream has ended: what still waits is decoded as far as it goes, and the next bytes begin anew."""
         none = np.empty(0, dtype=np.int64)
         return self._decode(self._left, _Times(self._left_ns, none, none), is_over=True)
 
-    def _decode(self, data: Bytes, times: _Times, *, is_over: bool) -> Decoded:
+    def _decode(self, data: Bytes, times: _Times, *, is_over: bool) -> StretchContents:
         found = self._candidates(data, is_over=is_over)
         accepted = _not_inside(found.places, found.stops, found.good)
         stop = len(data) if is_over else self._undecided(data, found, accepted)
@@ -106,7 +106,7 @@ class BulkDecoder:
         self._left_ns = times.of(np.arange(stop, len(data)))
         self._fed -= stop
         self._named -= stop
-        return Decoded(frames, damage)
+        return StretchContents(frames, damage)
 
     def _candidates(self, data: Bytes, *, is_over: bool) -> _Candidates:
         """Every header, whether a good frame begins at it, and the offset after the last byte that decides this."""
@@ -168,9 +168,9 @@ class BulkDecoder:
                 frames[message] = Frames(t_ns[chosen], payload)
         return frames
 
-    def _name(self, data: Bytes, starts: Places, stops: Places, times: _Times) -> list[Damaged]:
+    def _name(self, data: Bytes, starts: Places, stops: Places, times: _Times) -> list[DamageReport]:
         """The damage between the accepted frames, and what is known of it after the last of them."""
-        damage: list[Damaged] = []
+        damage: list[DamageReport] = []
         befores = np.concatenate(([self._named], stops[:-1])) if len(stops) else stops
         gaps = np.flatnonzero(befores < starts).tolist()
         if self._fed > 0 and len(starts) and gaps[:1] != [0]:
@@ -187,7 +187,7 @@ class BulkDecoder:
         self._fed = len(data)
         return damage
 
-    def _take(self, events: list[Frame | Damage], end: int, times: _Times) -> list[Damaged]:
+    def _take(self, events: list[Frame | Damage], end: int, times: _Times) -> list[DamageReport]:
         """The damage among the next events, up to offset `end`."""
         taken: list[Damage] = []
         offsets: list[int] = []
@@ -198,7 +198,7 @@ class BulkDecoder:
             taken.append(event)
             offsets.append(max(0, self._named - 1))
         at_ns = times.of(np.array(offsets, dtype=np.int64)).tolist() if taken else []
-        return [Damaged(t_ns, damage) for t_ns, damage in zip(at_ns, taken, strict=True)]
+        return [DamageReport(t_ns, damage) for t_ns, damage in zip(at_ns, taken, strict=True)]
 
 
 class _Candidates(NamedTuple):

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
-from epf_gcs.flights.bulk import BulkDecoder, Damaged, Decoded
+from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
 from epf_gcs.flights.convert import T_NS, table
 from epf_gcs.flights.datagrams import Datagrams
 from epf_gcs.flights.keyframes import KeyFrames
@@ -74,7 +74,7 @@ class Counts:
 
 
 @dataclass(frozen=True)
-class Written:
+class TableFolder:
     """The folder that holds the tables now, what was counted, and all notes of the recording."""
 
     folder: Path
@@ -91,7 +91,7 @@ class Sink(Protocol):
 
 def write_columns(
     path: Path, root: Path, say: Say, limits: Limits = LIMITS, *, watch: Callable[[Messages], None] | None = None
-) -> Written:
+) -> TableFolder:
     """Write the tables of a recording below `root`, in place of earlier ones of the same flight, whole or not at all.
 
     `say` is told the progress (0..1), `watch` all messages in file order. Raises RecordingError and OSError.
@@ -103,7 +103,7 @@ def write_columns(
     try:
         tables = Tables(work)
         try:
-            making = Making(tables, path, limits)
+            making = TableMaker(tables, path, limits)
             making.run(say, watch)
         finally:
             tables.close()
@@ -114,7 +114,7 @@ def write_columns(
         work.rename(folder)
     finally:
         shutil.rmtree(work, ignore_errors=True)
-    return Written(folder, making.counts, making.notes)
+    return TableFolder(folder, making.counts, making.notes)
 
 
 def _partition(notes: list[Note], counts: Counts, flight: str) -> Path:
@@ -142,7 +142,7 @@ class _Line:
         return self._prefix + message.name
 
 
-class Making:
+class TableMaker:
     """Makes tables of what a recording has, and of what it has more at each `advance`."""
 
     def __init__(self, tables: Sink, path: Path, limits: Limits = LIMITS) -> None:
@@ -234,7 +234,7 @@ class Making:
                 ends = np.cumsum(some.length)
                 self._decoded(channel, self._lines[channel].decoder.feed(_joined(some), ends, some.t_ns))
 
-    def _decoded(self, channel: int, decoded: Decoded) -> None:
+    def _decoded(self, channel: int, decoded: StretchContents) -> None:
         line = self._lines[channel]
         for message, frames in decoded.frames.items():
             topic = line.topic(message)
@@ -245,7 +245,7 @@ class Making:
         if decoded.damage:
             self._damaged(line, decoded.damage)
 
-    def _damaged(self, line: _Line, found: list[Damaged]) -> None:
+    def _damaged(self, line: _Line, found: list[DamageReport]) -> None:
         if line.name == "received":
             self.counts.damaged.update(one.damage.kind for one in found)
         self._made.setdefault(DAMAGE, []).append(

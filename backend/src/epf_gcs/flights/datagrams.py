@@ -60,7 +60,7 @@ ROWS: Final = pa.schema(
 _SCHEMAS: Final = {"simulator": SIMULATOR, "xplane_info": INFO, "xplane_rows": ROWS}
 
 
-class Shown(NamedTuple):
+class DatagramTables(NamedTuple):
     """The tables of some datagrams, by topic."""
 
     tables: dict[str, pa.Table]
@@ -78,7 +78,7 @@ class Datagrams:
         """A simulator of this profile begins: forget the earlier one's rows."""
         self._samples.begin("xp12" if profile == "xp12" else "xp10")
 
-    def take(self, messages: Messages) -> Shown:
+    def take(self, messages: Messages) -> DatagramTables:
         """Read datagrams (all of the simulator's channel). Never raises, whatever they hold."""
         pieces: dict[str, list[pa.Table]] = {"simulator": [], "xplane_info": [], "xplane_rows": []}
         lengths = messages.length
@@ -86,7 +86,7 @@ class Datagrams:
         for begin, end in zip([0, *edges.tolist()], [*edges.tolist(), len(lengths)], strict=True):
             if begin < end:
                 self._stretch(messages, begin, end, pieces)
-        return Shown({topic: pa.concat_tables(some) for topic, some in pieces.items() if some}, len(lengths))
+        return DatagramTables({topic: pa.concat_tables(some) for topic, some in pieces.items() if some}, len(lengths))
 
     def _stretch(self, messages: Messages, begin: int, end: int, pieces: dict[str, list[pa.Table]]) -> None:
         length = int(messages.length[begin])

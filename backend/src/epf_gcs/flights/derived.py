@@ -33,7 +33,7 @@ _FACTORS: Final = {
 }
 
 
-class Found(NamedTuple):
+class Signal(NamedTuple):
     """A signal: times in seconds since the flight's start, in order, and values (NaN: no value), both (n,).
 
     `period_s` is the usual time between samples, None where there are too few to tell.
@@ -50,7 +50,7 @@ def split_names(names: str) -> list[str]:
     return re.findall(_ONE, names)
 
 
-def find(flight: FlightData, periods: PeriodCache, name: str) -> Found:
+def find(flight: FlightData, periods: PeriodCache, name: str) -> Signal:
     """One signal, empty if the flight does not have it. Raises NotFoundError for a name that the definition does not
     have, and InvalidInputError for a difference of unlike units.
     """
@@ -60,7 +60,7 @@ def find(flight: FlightData, periods: PeriodCache, name: str) -> Found:
     return periods.computed(name, flight.end_ns, lambda: _computed(flight, periods, name, derived))
 
 
-def _computed(flight: FlightData, periods: PeriodCache, name: str, derived: re.Match[str]) -> Found:
+def _computed(flight: FlightData, periods: PeriodCache, name: str, derived: re.Match[str]) -> Signal:
     operands = [_recorded(flight, periods, one) for one in derived[2].split(",")]
     if derived[1] == "rate":
         return _rate(operands[0])
@@ -68,16 +68,16 @@ def _computed(flight: FlightData, periods: PeriodCache, name: str, derived: re.M
     return found if derived[1] == "diff" else found._replace(values=-found.values)
 
 
-def _recorded(flight: FlightData, periods: PeriodCache, name: str) -> Found:
+def _recorded(flight: FlightData, periods: PeriodCache, name: str) -> Signal:
     topic, field = split_name(name)
     unit = fields_of(topic)[field].unit
     if topic not in {span.name for span in flight.topics()}:
-        return Found(unit, np.empty(0), np.empty(0), None)
+        return Signal(unit, np.empty(0), np.empty(0), None)
     t_s, values = flight.samples(topic, field)
-    return Found(unit, t_s, values, periods.of(topic, t_s))
+    return Signal(unit, t_s, values, periods.of(topic, t_s))
 
 
-def _rate(signal: Found) -> Found:
+def _rate(signal: Signal) -> Signal:
     """The first sample, and one after a gap, have no rate. Of samples with one time only the last counts."""
     unit, t_s, values, period_s = signal
     last = np.append(np.diff(t_s) > 0, True)[: len(t_s)]
@@ -86,10 +86,10 @@ def _rate(signal: Found) -> Found:
     steps_s = np.diff(t_s)
     rates[1:] = _short_way(np.diff(values), unit) / steps_s
     rates[1:][steps_s > longest_step_s(period_s)] = np.nan
-    return Found("1/s" if unit == "1" else f"{unit}/s", t_s, rates, period_s)
+    return Signal("1/s" if unit == "1" else f"{unit}/s", t_s, rates, period_s)
 
 
-def _difference(name: str, one: Found, other: Found) -> Found:
+def _difference(name: str, one: Signal, other: Signal) -> Signal:
     """No value before the other's first sample, and in its gaps."""
     factor = 1.0 if one.unit == other.unit else _FACTORS.get((one.unit, other.unit))
     if factor is None:
@@ -105,7 +105,7 @@ def _difference(name: str, one: Found, other: Found) -> Found:
     there[there] = one.t_s[there] - other.t_s[newest[there]] <= longest_step_s(other.period_s)
     values = np.full(len(one.t_s), np.nan)
     values[there] = _short_way(one.values[there] - other.values[newest[there]] * factor, one.unit)
-    return Found(one.unit, one.t_s, values, one.period_s)
+    return Signal(one.unit, one.t_s, values, one.period_s)
 
 
 def _short_way(change: Array, unit: str) -> Array:

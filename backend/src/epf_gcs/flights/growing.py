@@ -9,7 +9,7 @@ import numpy as np
 import pyarrow as pa
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.columns import DAMAGE, Making
+from epf_gcs.flights.columns import DAMAGE, TableMaker
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
 from epf_gcs.recordings.notes import Note
@@ -19,8 +19,8 @@ class GrowingFlight:
     """Call `advance` before a question; the answers are of what the file had then. Raises RecordingError, OSError."""
 
     def __init__(self, path: Path) -> None:
-        self._kept = _Kept()
-        self._making = Making(self._kept, path)
+        self._kept = _TableParts()
+        self._making = TableMaker(self._kept, path)
         self._flight = path.stem
 
     def advance(self) -> None:
@@ -69,7 +69,7 @@ class GrowingFlight:
         return self._kept.damage
 
 
-class _Kept:
+class _TableParts:
     """The tables that questions need, one after the other; columns are joined when they are asked for."""
 
     def __init__(self) -> None:

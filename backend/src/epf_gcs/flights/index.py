@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.flights.columns import DAMAGE, Written, write_columns
+from epf_gcs.flights.columns import DAMAGE, TableFolder, write_columns
 from epf_gcs.flights.events import FILE, find_events, write_events
 from epf_gcs.flights.fingerprint import Fingerprint
 from epf_gcs.flights.indexed import Columns, IndexedFlight
@@ -49,6 +49,6 @@ def run(arguments: list[str], say: Say) -> dict[str, Any]:
     return {"folder": str(written.folder), **counts.as_dict()}
 
 
-def _counted(written: Written) -> dict[str, Any]:
+def _counted(written: TableFolder) -> dict[str, Any]:
     found = written.counts.as_dict()
     return {name: found[name] for name in ("frames", "frames_damaged", "gaps", "is_whole", "damage")}

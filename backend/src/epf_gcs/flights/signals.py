@@ -16,7 +16,7 @@ _LEAST_GAP_S: Final = 0.5
 _LEAST_SAMPLES: Final = 8
 
 
-class Thinned(NamedTuple):
+class SignalEnvelope(NamedTuple):
     """`at_s` is the time of each step, `low` and `high` its extremes (NaN: no value, or a gap).
 
     `mean` (None where there is none) and `known` (a number) are of all samples of the stretch that have a value.
@@ -45,7 +45,7 @@ def gaps_of(t_s: Array, period_s: float | None) -> list[tuple[float, float]]:
     return [(float(t_s[place]), float(t_s[place + 1])) for place in places]
 
 
-def thin(t_s: Array, values: Array, from_s: float, to_s: float, points: int, period_s: float | None) -> Thinned:
+def thin(t_s: Array, values: Array, from_s: float, to_s: float, points: int, period_s: float | None) -> SignalEnvelope:
     """The samples from `from_s` to `to_s` in at most `points` steps.
 
     `t_s` (n,) in order, `values` (n,) with NaN where there is no value; `period_s` as `usual_period_s` gives it.
@@ -71,7 +71,7 @@ def thin(t_s: Array, values: Array, from_s: float, to_s: float, points: int, per
         middles = (t_s[ends[before]] + t_s[starts[before + 1]]) / 2
         places = before + 1
     nothing = np.full(len(places), np.nan)
-    return Thinned(
+    return SignalEnvelope(
         np.insert(at_s, places, middles),
         np.insert(low, places, nothing),
         np.insert(high, places, nothing),

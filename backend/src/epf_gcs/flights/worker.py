@@ -29,7 +29,7 @@ Say = Callable[[float, str], None]
 Run = Callable[[list[str], Say], dict[str, Any]]
 
 
-class Cancelled(BaseException):
+class Cancellation(BaseException):
     """The worker was told to stop: not an error, and not to be caught by `except Exception`."""
 
 
@@ -70,7 +70,7 @@ def work(run: Run, arguments: list[str]) -> int:
         why = error.strerror or str(error)
         detail = f"The flights' folder could not be changed ({why}): free the disk or correct its permissions."
         _write({"fault": {"code": "flight_not_written", "detail": detail, "params": {"why": why}}})
-    except Cancelled:
+    except Cancellation:
         return 128 + signal.SIGTERM
     else:
         return 0
@@ -90,7 +90,7 @@ def _write(message: dict[str, Any]) -> None:
 def _cancel(_number: int, _frame: object) -> None:
     # Once: told to stop and left by its parent in the same moment, it would break off its own clearing up.
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    raise Cancelled
+    raise Cancellation
 
 
 def _wait_for_parent() -> None:

@@ -13,7 +13,7 @@ import typer
 
 from epf_gcs.data_folder.place import DEFAULT, data_folder
 from epf_gcs.launcher.access import invite_command, print_invitation
-from epf_gcs.launcher.demonstration import Demonstration, Stopped
+from epf_gcs.launcher.demonstration import Demonstration, StopRequest
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import STATION_PORT, Options, XPlane
@@ -138,7 +138,7 @@ def run(
                 if lan:
                     print_invitation(invite_command(options.data, options.host, port, tls=options.scheme == "https"))
                 demonstration.watch()
-            except Stopped:
+            except StopRequest:
                 pass
             finally:
                 if asked.heard:

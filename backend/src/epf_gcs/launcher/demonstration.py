@@ -21,7 +21,7 @@ _DEATHS_WINDOW_S: Final = 60.0
 Say = Callable[[str], None]
 
 
-class Stopped(Exception):  # noqa: N818 (no error: somebody asked for it)
+class StopRequest(Exception):  # noqa: N818 (no error: somebody asked for it)
     """The person asked to stop."""
 
 
@@ -130,7 +130,7 @@ class Demonstration:
     def _check(self) -> None:
         """Called during every wait: raises Stopped if asked to stop, LaunchError if a program has ended."""
         if self._asked_to_stop():
-            raise Stopped
+            raise StopRequest
         for child in self._children:
             if (status := child.ended) is not None:
                 raise LaunchError(f"The {child.name} ended at once {_how(status)}; its log says:\n{child.last_lines()}")

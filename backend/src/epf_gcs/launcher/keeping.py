@@ -136,12 +136,12 @@ def _still(path: Path, copy: Path) -> Path:
 def _add_file(archive: tarfile.TarFile, path: Path, name: str) -> dict[str, Any]:
     with path.open("rb") as file:
         entry = archive.gettarinfo(arcname=name, fileobj=file)
-        reader = _Hashing(file, entry.size)
+        reader = _HashingReader(file, entry.size)
         archive.addfile(entry, reader)
     return {"bytes": entry.size, "sha256": reader.digest.hexdigest()}
 
 
-class _Hashing:
+class _HashingReader:
     """Reads as many bytes as were announced, and hashes them."""
 
     def __init__(self, file: BinaryIO, size: int) -> None:

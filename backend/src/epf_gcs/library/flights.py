@@ -18,9 +18,9 @@ from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.extras import FLIGHTS
 from epf_gcs.library.about import About
 from epf_gcs.library.aircraft import AircraftNameChoice
-from epf_gcs.library.folder import Deleted, FlightFolder, unknown
+from epf_gcs.library.folder import BinEntry, FlightFolder, unknown
 from epf_gcs.library.jobs import Job, Jobs
-from epf_gcs.library.library import Library, Row, Wanted
+from epf_gcs.library.library import FlightQuery, Library, Row
 from epf_gcs.library.policy import PolicyChoice
 from epf_gcs.recordings.places import Places
 
@@ -119,7 +119,7 @@ class Flights:
             self._was = now
             self.wake()
 
-    async def search(self, wanted: Wanted) -> tuple[list[Row], int]:
+    async def search(self, wanted: FlightQuery) -> tuple[list[Row], int]:
         """One page of the flights as the files are now, and the number of all."""
         await self._refresh()
         return await self.in_thread(self._library.search, wanted)
@@ -167,7 +167,7 @@ class Flights:
         self.wake()
         return await self.get(flight)
 
-    async def bin(self) -> list[Deleted]:
+    async def bin(self) -> list[BinEntry]:
         """What lies in the bin."""
         return await self.in_thread(self._folder.bin)
 

@@ -19,7 +19,7 @@ KEPT_S: Final = 30 * 86400.0
 
 
 @dataclass(frozen=True, slots=True)
-class Deleted:
+class BinEntry:
     """A flight in the bin."""
 
     id: str
@@ -60,16 +60,16 @@ class FlightFolder:
         source.replace(target)
         (self._places.bin / f"{flight}.json").unlink(missing_ok=True)
 
-    def bin(self) -> list[Deleted]:
+    def bin(self) -> list[BinEntry]:
         """What lies in the bin, deleted last first."""
-        found: list[Deleted] = []
+        found: list[BinEntry] = []
         for path in regular_files(self._places.bin, "*.mcap"):
             if is_id(path.stem):
                 with contextlib.suppress(FileNotFoundError, ValueError):
                     about = read_about(path.with_suffix(".json"))
                     size, changed_s = path.stat().st_size, path.stat().st_mtime
                     gone_s = changed_s if about.deleted_s is None else about.deleted_s
-                    found.append(Deleted(path.stem, about, started_s(path.stem), size, gone_s))
+                    found.append(BinEntry(path.stem, about, started_s(path.stem), size, gone_s))
         return sorted(found, key=lambda one: one.deleted_s, reverse=True)
 
     def purge(self, now_s: float) -> list[str]:

@@ -51,7 +51,7 @@ _SORTS: Final[dict[Sort, str]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class FlightQuery:
     """Which flights: all words of `text` in what is said or known of it, a tag, a board, a stretch of Unix time."""
 
     text: str = ""
@@ -118,7 +118,7 @@ class Library:
             self._execute("DELETE FROM flight WHERE id = ?", flight)
         self._open().commit()
 
-    def search(self, wanted: Wanted) -> tuple[list[Row], int]:
+    def search(self, wanted: FlightQuery) -> tuple[list[Row], int]:
         """One page of the flights, and how many there are in all."""
         terms: list[str] = ["1"]
         values: list[str | float] = []

@@ -11,7 +11,7 @@ from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Device, LinkCallbacks, Tap
 from epf_gcs.link.failures import lost_error
 from epf_gcs.link.read_budget import ReadBudget
-from epf_gcs.link.unbroken import Unbroken
+from epf_gcs.link.unbroken import ByteTimes
 from epf_gcs.repeating import Repeating
 
 # More than a second of the fastest line; older data would be useless to the board.
@@ -63,7 +63,7 @@ class DescriptorLink:
         self._awaited = 1
         self._has_read = False
         self._patience = Repeating(self._loop, "the end of an awaited frame", self._look_for_silence, _PATIENCE_S)
-        self._unbroken = Unbroken(device.baud) if device.is_serial else None
+        self._unbroken = ByteTimes(device.baud) if device.is_serial else None
         self._rest_s = min(_REST_S, _REST_BYTES * 10.0 / device.baud)
         # Since when the bytes are counted that tell whether the line has a gap, and how many came.
         self._counted_from_s = 0.0
@@ -173,7 +173,7 @@ class DescriptorLink:
             self._lose("the other side closed it")
         return data
 
-    def _may_rest(self, unbroken: Unbroken, count: int) -> bool:
+    def _may_rest(self, unbroken: ByteTimes, count: int) -> bool:
         """Whether nobody needs the bytes as they come, and they came without a gap for as long as a rest takes."""
         now_s = monotonic()
         lasted_s = now_s - self._counted_from_s
@@ -214,7 +214,7 @@ class DescriptorLink:
         self._awake_until_s = monotonic() + _AWAKE_S
         self.deliver()
 
-    def _deliver(self, data: bytes, unbroken: Unbroken, lasted_s: float) -> None:
+    def _deliver(self, data: bytes, unbroken: ByteTimes, lasted_s: float) -> None:
         """Frame by frame, each with the time at which its last byte came, until the link is closed."""
         start, count, tap = 0, len(data), self._tap
         while start < count and not self._closed:

@@ -52,7 +52,7 @@ async def _wait(event: asyncio.Event, at_most_s: float) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class Handling(Generic[A, L]):
+class LinkHandlers(Generic[A, L]):
     """How to open a link, and what to do when its state changes.
 
     `find`: the present address of the wanted device; called before each automatic attempt, not before `KeptOpen.open`.
@@ -79,7 +79,7 @@ class KeptOpen(Generic[A, L]):
 
     def __init__(
         self,
-        handling: Handling[A, L],
+        handling: LinkHandlers[A, L],
         now_s: Callable[[], float] = time.monotonic,
         wait: Callable[[asyncio.Event, float], Awaitable[None]] = _wait,
     ) -> None:

@@ -25,7 +25,7 @@ _BITS_OF_A_BYTE: Final = 10
 _LAST_WORDS_S: Final = 0.1
 
 
-class _Unsent:
+class _Backlog:
     """Bytes on their way between the socket and the port. Each of the two counts is written by one thread."""
 
     def __init__(self) -> None:
@@ -54,7 +54,7 @@ def open_pty(address: LinkAddress) -> Device:
 def _carried(port: serial.Serial, address: LinkAddress) -> Device:
     ours, theirs = socket.socketpair()
     ours.setblocking(False)
-    unsent = _Unsent()
+    unsent = _Backlog()
     most = max(1, int(address.baud * _LOOK_S / 2.0 / _BITS_OF_A_BYTE))
     reading = threading.Thread(target=_carry_in, args=(port, theirs), name=f"from {address.target}", daemon=True)
     writing = threading.Thread(
@@ -95,7 +95,7 @@ def _carry_in(port: serial.Serial, to: socket.socket) -> None:
         to.shutdown(socket.SHUT_RDWR)
 
 
-def _carry_out(port: serial.Serial, source: socket.socket, unsent: _Unsent, most: int) -> None:
+def _carry_out(port: serial.Serial, source: socket.socket, unsent: _Backlog, most: int) -> None:
     """From the socket to the port, `most` bytes at once, until either is closed."""
     with contextlib.suppress(OSError, TypeError, ValueError):
         while data := source.recv(most):

@@ -14,7 +14,7 @@ _BITS_OF_A_BYTE: Final = 10.0
 _GAP_S: Final = 0.002
 
 
-class Unbroken:
+class ByteTimes:
     """Judges one line by its baud rate."""
 
     def __init__(self, baud: int) -> None:

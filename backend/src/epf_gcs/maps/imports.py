@@ -15,7 +15,7 @@ from epf_gcs.contract.events import Say
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.maps.files import RASTERS, MapFile, safe_name
 from epf_gcs.maps.folder import MapFolder, exists
-from epf_gcs.maps.terrain_jobs import InThread, TerrainJobs
+from epf_gcs.maps.terrain_jobs import TerrainJobs, ThreadRunner
 
 INCOMING: Final = ".incoming"
 RESERVE_BYTES: Final = 200_000_000
@@ -68,7 +68,7 @@ class Imports:
         self,
         folder: MapFolder,
         jobs: TerrainJobs,
-        in_thread: InThread,
+        in_thread: ThreadRunner,
         say: Say,
         free_bytes: Callable[[Path], int] = lambda path: shutil.disk_usage(path).free,
     ) -> None:

@@ -21,7 +21,7 @@ from epf_gcs.maps.open_files import Stamp
 from epf_gcs.maps.outside import Consent, LocalAddressError, OutsideTransport, is_local_as_written
 from epf_gcs.maps.sources import OnlineChoice, Source, checked, expiry_s, local
 from epf_gcs.maps.terrain_jobs import T
-from epf_gcs.maps.tile_cache import Kept, TileCache
+from epf_gcs.maps.tile_cache import CachedTile, TileCache
 
 PREFIX: Final = "online-"
 USER_AGENT: Final = f"EPF-GCS/{__version__} (ground control station; tiles on demand, no bulk download)"
@@ -66,7 +66,7 @@ class Online:
         self._cache: TileCache | None = None
         self._client: httpx.AsyncClient | None = None
         self._hosts: dict[str, _Host] = {}
-        self._under_way: dict[tuple[str, int, int, int], asyncio.Future[Kept | None]] = {}
+        self._under_way: dict[tuple[str, int, int, int], asyncio.Future[CachedTile | None]] = {}
         self._problems: dict[str, GatewayError] = {}
         self.choice = choice
         self.consent = Consent()
@@ -130,12 +130,14 @@ class Online:
         if self._cache is not None:
             self._cache.close()
 
-    async def _fetched_once(self, source: Source, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
+    async def _fetched_once(
+        self, source: Source, key: tuple[str, int, int, int], kept: CachedTile | None
+    ) -> CachedTile | None:
         """Fetch a tile; simultaneous calls for the same tile share one request."""
         under_way = self._under_way.get(key)
         if under_way is not None:
             return await asyncio.shield(under_way)
-        mine: asyncio.Future[Kept | None] = self._loop.create_future()
+        mine: asyncio.Future[CachedTile | None] = self._loop.create_future()
         self._under_way[key] = mine
         found = kept
         try:
@@ -145,7 +147,9 @@ class Online:
             mine.set_result(found)
         return found
 
-    async def _ask_in_turn(self, source: Source, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
+    async def _ask_in_turn(
+        self, source: Source, key: tuple[str, int, int, int], kept: CachedTile | None
+    ) -> CachedTile | None:
         host = self._hosts.setdefault(source.host, _Host(asyncio.Semaphore(_AT_ONCE_PER_HOST)))
         if host.waiting >= _MOST_WAITING_PER_HOST or self._now_s() < host.quiet_until_s:
             return kept
@@ -159,7 +163,9 @@ class Online:
         finally:
             host.waiting -= 1
 
-    async def _ask(self, source: Source, host: _Host, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
+    async def _ask(
+        self, source: Source, host: _Host, key: tuple[str, int, int, int], kept: CachedTile | None
+    ) -> CachedTile | None:
         headers = {} if kept is None or kept.etag is None or not kept.data else {"If-None-Match": kept.etag}
         try:
             client = await self._asking()
@@ -176,24 +182,26 @@ class Online:
         is_missing = answer.status_code in (httpx.codes.NOT_FOUND, httpx.codes.NO_CONTENT, httpx.codes.GONE)
         if is_missing:
             self._answers(source, host)
-            return await self._put(key, Kept(b"", None, self._now_s() + _NO_TILE_S))
+            return await self._put(key, CachedTile(b"", None, self._now_s() + _NO_TILE_S))
         if answer.status_code != httpx.codes.OK or data is None or picture(data) is None:
             self._fails(source, host, _refused(source, answer.status_code))
             return kept
         self._answers(source, host)
-        return await self._keep(source, key, Kept(data, answer.headers.get("etag"), 0.0), answer.headers)
+        return await self._keep(source, key, CachedTile(data, answer.headers.get("etag"), 0.0), answer.headers)
 
-    async def _keep(self, source: Source, key: tuple[str, int, int, int], tile: Kept, headers: httpx.Headers) -> Kept:
+    async def _keep(
+        self, source: Source, key: tuple[str, int, int, int], tile: CachedTile, headers: httpx.Headers
+    ) -> CachedTile:
         until_s = expiry_s(source, headers, self._now_s())
         return tile if until_s is None else await self._put(key, tile._replace(expires_s=until_s))
 
-    async def _kept(self, key: tuple[str, int, int, int]) -> Kept | None:
+    async def _kept(self, key: tuple[str, int, int, int]) -> CachedTile | None:
         try:
             return await self._in_thread(lambda: self._opened().get(key))
         except (OSError, sqlite3.Error):
             return None
 
-    async def _put(self, key: tuple[str, int, int, int], tile: Kept) -> Kept:
+    async def _put(self, key: tuple[str, int, int, int], tile: CachedTile) -> CachedTile:
         try:
             await self._in_thread(lambda: self._opened().put(key, tile, self.choice.limit_bytes))
         except (OSError, sqlite3.Error) as error:

@@ -16,7 +16,7 @@ Stamp = tuple[int, ...]
 _MOST: Final = 8
 
 
-class _Opened:
+class _OpenFile:
     def __init__(self, stamp: Stamp, source: TileSource) -> None:
         self.stamp = stamp
         self.source = source
@@ -30,7 +30,7 @@ class OpenFiles:
     def __init__(self, most: int = _MOST) -> None:
         self._most = most
         self._lock = Lock()
-        self._opened: OrderedDict[str, _Opened] = OrderedDict()
+        self._opened: OrderedDict[str, _OpenFile] = OrderedDict()
 
     def __len__(self) -> int:
         return len(self._opened)
@@ -40,7 +40,7 @@ class OpenFiles:
         """The open file, kept open while inside; reopened if it changed. Raises what `open_it` raises."""
         opened = self._take(key, stamp)
         if opened is None:
-            opened = self._keep(key, _Opened(stamp, open_it()))
+            opened = self._keep(key, _OpenFile(stamp, open_it()))
         try:
             yield opened.source
         finally:
@@ -58,7 +58,7 @@ class OpenFiles:
         for key in list(self._opened):
             self.forget(key)
 
-    def _take(self, key: str, stamp: Stamp) -> _Opened | None:
+    def _take(self, key: str, stamp: Stamp) -> _OpenFile | None:
         with self._lock:
             opened = self._opened.get(key)
             if opened is None or opened.stamp != stamp:
@@ -67,7 +67,7 @@ class OpenFiles:
             opened.readers += 1
             return opened
 
-    def _keep(self, key: str, opened: _Opened) -> _Opened:
+    def _keep(self, key: str, opened: _OpenFile) -> _OpenFile:
         opened.readers = 1
         with self._lock:
             before = self._opened.pop(key, None)
@@ -79,14 +79,14 @@ class OpenFiles:
             self._give_up(old)
         return opened
 
-    def _release(self, opened: _Opened) -> None:
+    def _release(self, opened: _OpenFile) -> None:
         with self._lock:
             opened.readers -= 1
             is_last = opened.given_up and opened.readers == 0
         if is_last:
             opened.source.close()
 
-    def _give_up(self, opened: _Opened) -> None:
+    def _give_up(self, opened: _OpenFile) -> None:
         with self._lock:
             opened.given_up = True
             is_unused = opened.readers == 0

@@ -28,7 +28,7 @@ log = structlog.get_logger("gateway")
 T = TypeVar("T")
 
 
-class InThread(Protocol):
+class ThreadRunner(Protocol):
     """Runs blocking work in one of the maps' threads."""
 
     def __call__(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
@@ -41,7 +41,7 @@ class TerrainJobs:
     `told(file, percent)`: progress. `ended(file, problem)`: finished; `problem` is None, or why it failed.
     """
 
-    def __init__(self, folder: MapFolder, in_thread: InThread, report: Callable[[GatewayError], None]) -> None:
+    def __init__(self, folder: MapFolder, in_thread: ThreadRunner, report: Callable[[GatewayError], None]) -> None:
         self._folder = folder
         self._in_thread = in_thread
         self._report = report

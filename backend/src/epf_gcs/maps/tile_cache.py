@@ -32,7 +32,7 @@ CREATE INDEX IF NOT EXISTS by_seen ON tiles (seen_s, size);
 """
 
 
-class Kept(NamedTuple):
+class CachedTile(NamedTuple):
     """One tile as received; empty data: the source has no such tile. Times are Unix seconds."""
 
     data: bytes
@@ -54,7 +54,7 @@ class TileCache:
             self._delete()
             self._open()
 
-    def get(self, key: Key) -> Kept | None:
+    def get(self, key: Key) -> CachedTile | None:
         """A cached tile, even an expired one. Raises sqlite3.Error."""
         found = self._file.execute(f"SELECT data, etag, expires_s, seen_s FROM tiles WHERE {_WHERE}", key).fetchone()  # noqa: S608
         if found is None:
@@ -63,9 +63,9 @@ class TileCache:
         now_s = self._now_s()
         if now_s - seen_s > _SEEN_EVERY_S:
             self._file.execute(f"UPDATE tiles SET seen_s = ? WHERE {_WHERE}", (now_s, *key))  # noqa: S608
-        return Kept(data, etag, expires_s)
+        return CachedTile(data, etag, expires_s)
 
-    def put(self, key: Key, tile: Kept, limit_bytes: int) -> None:
+    def put(self, key: Key, tile: CachedTile, limit_bytes: int) -> None:
         """Store a tile, in place of an older one with the same key. Raises sqlite3.Error."""
         before = self._file.execute(f"SELECT size FROM tiles WHERE {_WHERE}", key).fetchone()  # noqa: S608
         values = (*key, len(tile.data), tile.etag, tile.expires_s, self._now_s(), tile.data)

@@ -33,7 +33,7 @@ class PackingCancelledError(Exception):
     """The caller's `is_over` became true; the files are as they were."""
 
 
-class Packed(NamedTuple):
+class PackingResult(NamedTuple):
     """What packing did: sizes in bytes, counts, and what of the source could not be read (None: nothing)."""
 
     bytes_before: int
@@ -85,7 +85,7 @@ def pack(
     limits: Limits = LIMITS,
     is_over: Callable[[], bool] = lambda: False,
     progress: Callable[[float], object] = lambda _: None,
-) -> Packed:
+) -> PackingResult:
     """Pack `source` into `target`, which must not exist, or in its own place if None. Blocks; memory is bounded.
 
     In its own place only a finished and undamaged recording is packed; with a target, whatever can be read.
@@ -98,7 +98,7 @@ def pack(
     try:
         packed = _write(source, temporary, limits, steps, in_place=target is None)
         if packed is None:
-            return Packed(before.st_size, before.st_size, 0, 0, None)
+            return PackingResult(before.st_size, before.st_size, 0, 0, None)
         _compare(temporary, packed, limits, steps)
         os.utime(temporary, ns=(before.st_atime_ns, before.st_mtime_ns))
         now = source.stat()
@@ -111,10 +111,10 @@ def pack(
     finally:
         temporary.unlink(missing_ok=True)
     sync_folder(into.parent)
-    return Packed(before.st_size, size, packed.messages, packed.notes, packed.damage)
+    return PackingResult(before.st_size, size, packed.messages, packed.notes, packed.damage)
 
 
-class _Written(NamedTuple):
+class _PackTotals(NamedTuple):
     digest: bytes
     messages: int
     notes: int
@@ -141,7 +141,7 @@ class _Steps:
         self._progress(share)
 
 
-def _write(source: Path, temporary: Path, limits: Limits, steps: _Steps, *, in_place: bool) -> _Written | None:
+def _write(source: Path, temporary: Path, limits: Limits, steps: _Steps, *, in_place: bool) -> _PackTotals | None:
     """Write the packed file and sync it. None if `source` is packed already, and would take its own place."""
     reader, digest = RecordReader(source, limits), _Digest()
     with temporary.open("wb") as file:
@@ -162,10 +162,10 @@ def _write(source: Path, temporary: Path, limits: Limits, steps: _Steps, *, in_p
         packed.finish()
         file.flush()
         os.fsync(file.fileno())
-    return _Written(digest.value(), digest.messages, digest.notes, reader.damage)
+    return _PackTotals(digest.value(), digest.messages, digest.notes, reader.damage)
 
 
-def _compare(temporary: Path, written: _Written, limits: Limits, steps: _Steps) -> None:
+def _compare(temporary: Path, written: _PackTotals, limits: Limits, steps: _Steps) -> None:
     """Read the packed file back. Raises RecordingError unless all of it is what was read from the source."""
     reader, digest = RecordReader(temporary, limits), _Digest()
     size = temporary.stat().st_size

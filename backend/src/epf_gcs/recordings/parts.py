@@ -24,9 +24,9 @@ from epf_gcs.recordings.scan import (
     HEAD,
     PAYLOAD_AT,
     Bytes,
-    Found,
     Other,
     Places,
+    ScanResult,
     channels_of,
     lengths_of,
     scan,
@@ -173,7 +173,7 @@ class Parts:
         self.place = len(MAGIC)
         return True
 
-    def _stretch(self, data: Bytes, found: Found, begun: int) -> Generator[Part, None, bool]:
+    def _stretch(self, data: Bytes, found: ScanResult, begun: int) -> Generator[Part, None, bool]:
         """The messages and notes of a block, with each of its chunks as a part of its own.
 
         Returns whether the data section ended in it.

@@ -41,7 +41,7 @@ class Other(NamedTuple):
     messages_before: int
 
 
-class Found(NamedTuple):
+class ScanResult(NamedTuple):
     """The records of a buffer. `end`: the offset after the last whole one; `need`: bytes that the next one takes.
 
     `stop` says why the walk ended: at the buffer's end, in a record that is longer than the rest of the buffer
@@ -55,7 +55,7 @@ class Found(NamedTuple):
     stop: Stop
 
 
-def scan(data: Bytes, longest: int) -> Found:
+def scan(data: Bytes, longest: int) -> ScanResult:
     """All whole records of `data` (shape (n,), uint8), which begins with one; none may be longer than `longest`."""
     walk = _Walk(data, longest)
     return walk.found()
@@ -95,14 +95,14 @@ class _Walk:
         linked[:-1] = self._ends[:-1] == self._places[1:]
         self._breaks = np.flatnonzero(~linked)
 
-    def found(self) -> Found:
+    def found(self) -> ScanResult:
         at = 0
         while True:
             at = self._run(at)
             if at == len(self._data):
                 return self._ended(at, 0, "end")
             step = self._step(at)
-            if isinstance(step, Found):
+            if isinstance(step, ScanResult):
                 return step
             at = step
 
@@ -119,7 +119,7 @@ class _Walk:
         self._runs.append(run)
         self._count += len(run)
 
-    def _step(self, at: int) -> int | Found:
+    def _step(self, at: int) -> int | ScanResult:
         """Step over one record; returns where the next begins, or what was found if none does."""
         rest = len(self._data) - at
         if rest < HEAD.size:
@@ -138,9 +138,9 @@ class _Walk:
             self._others.append(Other(opcode, at + HEAD.size, length, self._count))
         return at + HEAD.size + int(length)
 
-    def _ended(self, end: int, need: int, stop: Stop) -> Found:
+    def _ended(self, end: int, need: int, stop: Stop) -> ScanResult:
         messages = np.concatenate(self._runs) if self._runs else np.empty(0, dtype=np.int64)
-        return Found(messages, self._others, end, need, stop)
+        return ScanResult(messages, self._others, end, need, stop)
 
 
 def _candidates(data: Bytes) -> tuple[Places, Places]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.contract.answers import FlightKnown, KnownMission, KnownMissions
+from epf_gcs.contract.answers import FlightKnowledge, KnownMission, KnownMissions
 from epf_gcs.contract.base import PlanName
 from epf_gcs.contract.inspector import InspectedLink, Inspector
 from epf_gcs.replay.playhead import Playhead
@@ -16,11 +16,11 @@ from epf_gcs.vehicle.noted import gains_of, identity_of
 _PLANS: Final[tuple[PlanName, ...]] = ("flight", "hil")
 
 
-def build_known(head: Playhead, at_s: float) -> FlightKnown:
+def build_known(head: Playhead, at_s: float) -> FlightKnowledge:
     """Identity, gains and both plans as noted until `at_s` seconds after the start."""
     now = head.known.now
     parameters, plans = now["parameters"], now["plans"]
-    return FlightKnown(
+    return FlightKnowledge(
         at_s,
         identity_of(now["identity"]),
         None if parameters is None else gains_of(parameters),

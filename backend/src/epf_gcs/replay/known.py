@@ -8,7 +8,7 @@ from typing import Any, Final
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
-from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
+from epf_gcs.vehicle.wanted import RATE_COMMANDS, IntendedSettings
 
 _DONE: Final = frozenset({"confirmed", "sent"})
 _CLOSED: Final[dict[str, Any]] = {
@@ -24,7 +24,7 @@ _CLOSED: Final[dict[str, Any]] = {
 _NEWEST: Final = frozenset({"control", "stick", "hil"})
 
 
-class Known:
+class RecordedState:
     """Plain values only, so that a key frame can hold them; `has_lines`: the notes say when each line was open."""
 
     def __init__(self) -> None:
@@ -47,9 +47,9 @@ class Known:
         return lines
 
     @property
-    def wanted(self) -> Wanted:
+    def wanted(self) -> IntendedSettings:
         """The periods of the board's tasks that were commanded by then."""
-        return Wanted(periods_ms=self.now["periods_ms"])
+        return IntendedSettings(periods_ms=self.now["periods_ms"])
 
     def alarms(self) -> list[AlarmState]:
         """The alarms listed at that moment, oldest first."""

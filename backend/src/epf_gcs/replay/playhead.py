@@ -19,7 +19,7 @@ from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECE
 from epf_gcs.replay.ahrs_test import RecordedAhrsTest
 from epf_gcs.replay.clock import RecordedClock
 from epf_gcs.replay.judged import JudgedAlarms
-from epf_gcs.replay.known import Known
+from epf_gcs.replay.known import RecordedState
 from epf_gcs.replay.timeline import Cursor, Item, Timeline
 from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
@@ -65,7 +65,7 @@ class Playhead:
         self._outlet = outlet
         self._cursor = Cursor(timeline, from_ns)
         self.clock = RecordedClock()
-        self.known = Known()
+        self.known = RecordedState()
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, outlet.event)
         self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s)

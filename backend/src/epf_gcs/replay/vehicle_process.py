@@ -17,7 +17,7 @@ from epf_gcs.repeating import Repeating
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.timeline import Timeline
-from epf_gcs.replay.viewing import Viewing
+from epf_gcs.replay.viewing import ReplayViewer
 
 # The scout works while no turn is due for this long.
 _SPARE_S: Final = 0.002
@@ -36,7 +36,7 @@ class VehicleProcess:
         self._keys: Keys | None = None
         self._scout: Scout | None = None
         self._spare: Repeating | None = None
-        self._viewings: set[Viewing] = set()
+        self._viewings: set[ReplayViewer] = set()
         self._asked: asyncio.Queue[tuple[Path, float]] = asyncio.Queue()
 
     def open(self, folder: Path, at_s: float) -> None:
@@ -56,7 +56,7 @@ class VehicleProcess:
             async with asyncio.TaskGroup() as tasks:
                 while True:
                     folder, at_s = await self._asked.get()
-                    viewing = Viewing(self._timeline, keys, self._flight, at_s, on_turn=self._look_for_work)
+                    viewing = ReplayViewer(self._timeline, keys, self._flight, at_s, on_turn=self._look_for_work)
                     tasks.create_task(self._show(viewing, folder))
         except ExceptionGroup as group:
             # What ends one replay of this file ends all.
@@ -69,7 +69,7 @@ class VehicleProcess:
         if self._keys is not None:
             self._keys.close()
 
-    async def _show(self, viewing: Viewing, folder: Path) -> None:
+    async def _show(self, viewing: ReplayViewer, folder: Path) -> None:
         self._viewings.add(viewing)
         self._timeline.readers = len(self._viewings) + 1
         try:

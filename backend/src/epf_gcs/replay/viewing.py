@@ -12,11 +12,11 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Broadcast, Handlers, VehicleEnd
-from epf_gcs.contract.answers import FlightKnown, Sample
+from epf_gcs.contract.answers import FlightKnowledge, Sample
 from epf_gcs.contract.hello import FlightSpan, Hello
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.notices import Notice
-from epf_gcs.contract.playback import Loop, Pause, Play, Playback, Seek, Step, Taken, Want
+from epf_gcs.contract.playback import Loop, Pause, Play, Playback, SampleCredit, Seek, Step, Want
 from epf_gcs.contract.requests import ReadInspector, ReadKnown, ReadPlayback, ReadStatus, ReadTelemetry
 from epf_gcs.contract.status import Status
 from epf_gcs.repeating import Repeating
@@ -29,7 +29,7 @@ _REST_S: Final = 3600.0
 _FAR_S: Final = 1e9
 
 
-class Viewing:
+class ReplayViewer:
     """`on_turn` is called after each turn. `due_s` is when the next one is due, on the steady clock."""
 
     def __init__(
@@ -121,7 +121,7 @@ class Viewing:
         async def read_playback(_: ReadPlayback, __: Asker) -> Playback:
             return player.playback()
 
-        async def read_known(_: ReadKnown, __: Asker) -> FlightKnown:
+        async def read_known(_: ReadKnown, __: Asker) -> FlightKnowledge:
             return build_known(player.head, player.playback().at_s)
 
         async def read_inspector(_: ReadInspector, __: Asker) -> Inspector:
@@ -155,7 +155,7 @@ class Viewing:
                 player.loop(None)
             case Want(rate_hz):
                 player.want(rate_hz)
-            case Taken(count):
+            case SampleCredit(count):
                 player.taken(count)
             case _:
                 return

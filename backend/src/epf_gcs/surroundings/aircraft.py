@@ -36,7 +36,7 @@ _FIELD_HIGH_M: Final = 15.0
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class WatchChoice:
     """What the operator chose. `corners_deg`: latitude and longitude; fewer than three: no border."""
 
     terrain: bool = False
@@ -48,7 +48,7 @@ class Wanted:
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class SurroundingsView:
     """`blind`: why nothing is known of the ground. `outside`: the aircraft has left the fence, or is over its ceiling.
     `path`: where the present track leads, while there is a warning."""
 
@@ -86,15 +86,15 @@ class AircraftSurroundings:
         """Take the newest fix."""
         self._track.add(fix)
 
-    def unseen(self, now_s: float) -> Seen:
+    def unseen(self, now_s: float) -> SurroundingsView:
         """The position is not live at `now_s`: nothing is known. After a moment's gap nothing is warned of either."""
         if now_s - self._seen_s > _HICCUP_S:
             self._terrain.end()
             self._fence.end()
             self._outside = False
-        return Seen(terrain=self._terrain.shown, fence=self._fence.shown, outside=self._outside)
+        return SurroundingsView(terrain=self._terrain.shown, fence=self._fence.shown, outside=self._outside)
 
-    def look(self, now_s: float, wanted: Wanted, heights: Heights, *, has_heights: bool) -> Seen:
+    def look(self, now_s: float, wanted: WatchChoice, heights: Heights, *, has_heights: bool) -> SurroundingsView:
         """What is around at Unix time `now_s`."""
         fix = self._track.newest
         if fix is None:
@@ -107,7 +107,7 @@ class AircraftSurroundings:
         height_m = None if ground_m is None else fix.altitude_m - ground_m
         motion = self._track.now()
         if motion is None:
-            return Seen(blind, ground_m, height_m)
+            return SurroundingsView(blind, ground_m, height_m)
         path = path_ahead(motion, now_s, AHEAD_S)
         is_flying = self._stand_or_fly(motion, height_m, wanted.margin_m)
         terrain = fence = None
@@ -122,7 +122,7 @@ class AircraftSurroundings:
         else:
             self._fence.end()
         warned = terrain is not None or fence is not None
-        return Seen(blind, ground_m, height_m, terrain, fence, self._outside, path if warned else None)
+        return SurroundingsView(blind, ground_m, height_m, terrain, fence, self._outside, path if warned else None)
 
     def _stand_or_fly(self, motion: Motion, height_m: float | None, margin_m: float) -> bool:
         is_high = height_m is not None and height_m > margin_m
@@ -145,7 +145,7 @@ class AircraftSurroundings:
             self._still_since_s = motion.t_s
         return motion.t_s - self._still_since_s >= _STANDS_S
 
-    def _ground_ahead(self, path: Path, wanted: Wanted, heights: Heights) -> Threat | None:
+    def _ground_ahead(self, path: Path, wanted: WatchChoice, heights: Heights) -> Threat | None:
         margin_m = limit(wanted.margin_m, is_shown=self._terrain.shown is not None)
         ground_m = heights(path.latitude_deg, path.longitude_deg)
         clearance_m = path.altitude_m - ground_m
@@ -170,7 +170,7 @@ class AircraftSurroundings:
         near: npt.NDArray[np.bool_] = np.hypot(east_m, north_m) < _FIELD_M
         return near & (np.abs(ground_m - field_m) < _FIELD_HIGH_M)
 
-    def _fence_ahead(self, path: Path, wanted: Wanted) -> tuple[Threat | None, bool]:
+    def _fence_ahead(self, path: Path, wanted: WatchChoice) -> tuple[Threat | None, bool]:
         """What of the fence is reached first, and whether the aircraft is outside already."""
         margin_m = limit(wanted.fence_margin_m, is_shown=self._fence.shown is not None)
         found: list[Threat | None] = []

@@ -47,7 +47,7 @@ class _Key(NamedTuple):
     row: int
 
 
-class _Held(NamedTuple):
+class _GridEntry(NamedTuple):
     """`zoom` and so on: of the tile whose grid this is, the asked one or a parent. None: there is none."""
 
     grid: npt.NDArray[np.float32] | None
@@ -63,7 +63,7 @@ class Ground:
     def __init__(self, tiles: Tiles) -> None:
         self._tiles = tiles
         self._layers: list[Layer] = []
-        self._held: OrderedDict[_Key, _Held] = OrderedDict()
+        self._held: OrderedDict[_Key, _GridEntry] = OrderedDict()
         self._wanted: dict[_Key, None] = {}
         self._awake = asyncio.Event()
 
@@ -134,7 +134,7 @@ class Ground:
                 found[here] = _between(held, held.grid, latitude_deg[here], longitude_deg[here])
         return found
 
-    def _look_up(self, key: _Key, now_s: float) -> _Held | None:
+    def _look_up(self, key: _Key, now_s: float) -> _GridEntry | None:
         held = self._held.get(key)
         if held is None or held.until_s < now_s:
             self._wanted[key] = None
@@ -143,7 +143,7 @@ class Ground:
             self._held.move_to_end(key)
         return held
 
-    async def _read(self, key: _Key) -> _Held:
+    async def _read(self, key: _Key) -> _GridEntry:
         now_s = asyncio.get_running_loop().time()
         for zoom in _levels(key.zoom):
             column, row = key.column >> (key.zoom - zoom), key.row >> (key.zoom - zoom)
@@ -152,10 +152,10 @@ class Ground:
             except GatewayError:
                 break
             if data is not None:
-                return _Held(np.frombuffer(data, "<f4").reshape(SIDE, SIDE), zoom, column, row, math.inf)
-        return _Held(None, key.zoom, key.column, key.row, now_s + _AGAIN_S)
+                return _GridEntry(np.frombuffer(data, "<f4").reshape(SIDE, SIDE), zoom, column, row, math.inf)
+        return _GridEntry(None, key.zoom, key.column, key.row, now_s + _AGAIN_S)
 
-    def _keep(self, key: _Key, held: _Held) -> None:
+    def _keep(self, key: _Key, held: _GridEntry) -> None:
         self._held[key] = held
         while len(self._held) > _MOST_KEPT:
             self._held.popitem(last=False)
@@ -171,7 +171,7 @@ def _covered(layer: Layer, latitude_deg: Vector, longitude_deg: Vector) -> npt.N
     return across & (latitude_deg >= bounds.south_deg) & (latitude_deg <= bounds.north_deg)
 
 
-def _between(held: _Held, grid: npt.NDArray[np.float32], latitude_deg: Vector, longitude_deg: Vector) -> Vector:
+def _between(held: _GridEntry, grid: npt.NDArray[np.float32], latitude_deg: Vector, longitude_deg: Vector) -> Vector:
     """Bilinear between the four points around each place; not known if one of them is not."""
     step_deg = 180.0 / (1 << held.zoom) / CELLS
     x = np.clip((longitude_deg + 180.0) / step_deg - held.column * CELLS, 0.0, CELLS)

@@ -9,11 +9,11 @@ from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 
-from epf_gcs.contract.notices import Notice, SurroundingsSeen
+from epf_gcs.contract.notices import Notice, SurroundingsReport
 from epf_gcs.contract.surroundings import AircraftAround, SurroundingsState, ThreatAhead, TrackPlace
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.repeating import repeat
-from epf_gcs.surroundings.aircraft import AircraftSurroundings, Seen, Wanted
+from epf_gcs.surroundings.aircraft import AircraftSurroundings, SurroundingsView, WatchChoice
 from epf_gcs.surroundings.choice import SurroundingsChange, crossing
 from epf_gcs.surroundings.ground import Ground, Tiles
 from epf_gcs.surroundings.kept import OFF, KeptSurroundings
@@ -59,12 +59,12 @@ class Surroundings:
         self._kept = kept
         self._now_s = now_s
         self._notice = notice
-        self._wanted = Wanted()
+        self._wanted = WatchChoice()
         self._aircraft: dict[Which, AircraftSurroundings] = {
             "flight": AircraftSurroundings(),
             "hil": AircraftSurroundings(),
         }
-        self._seen: dict[Which, Seen] = {"flight": Seen(), "hil": Seen()}
+        self._seen: dict[Which, SurroundingsView] = {"flight": SurroundingsView(), "hil": SurroundingsView()}
         self._live: set[Which] = set()
         self.choice = OFF
         # Whether there is a choice that cannot be read.
@@ -126,7 +126,7 @@ class Surroundings:
                 else aircraft.unseen(now_s)
             )
         # Also while nothing is to be watched: the flight process tells a station that has gone by its silence.
-        self._notice(SurroundingsSeen(_findings(self._seen), self._watched(), self._blind()))
+        self._notice(SurroundingsReport(_findings(self._seen), self._watched(), self._blind()))
 
     async def _repeat(self) -> None:
         loop = asyncio.get_running_loop()
@@ -164,7 +164,7 @@ class Surroundings:
     def _take(self, choice: SurroundingsChange) -> None:
         self.choice = choice
         self._saw_ground.clear()
-        self._wanted = Wanted(
+        self._wanted = WatchChoice(
             terrain=choice.terrain_on,
             margin_m=m_from_ft(choice.margin_ft),
             fence=choice.fence_on,
@@ -199,7 +199,7 @@ def _numbers(values: Values, *names: str) -> list[float] | None:
     return numbers if len(numbers) == len(names) and all(map(math.isfinite, numbers)) else None
 
 
-def _findings(seen: dict[Which, Seen]) -> list[Mapping[str, Any]]:
+def _findings(seen: dict[Which, SurroundingsView]) -> list[Mapping[str, Any]]:
     """One of each kind: where both aircraft have it, that of the board's."""
     found: dict[str, dict[str, Any]] = {}
     for which, one in seen.items():
@@ -215,7 +215,7 @@ def _finding(name: str, which: Which, threat: Threat) -> dict[str, Any]:
     return {"id": name, "aircraft": which, "what": threat.what, "in_s": threat.in_s}
 
 
-def _shown(seen: Seen) -> AircraftAround:
+def _shown(seen: SurroundingsView) -> AircraftAround:
     path = seen.path
     every = slice(None, None, _PATH_EVERY)
     places = [] if path is None else zip(path.latitude_deg[every], path.longitude_deg[every], strict=True)

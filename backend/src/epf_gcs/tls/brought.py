@@ -13,13 +13,13 @@ from cryptography.hazmat.primitives.asymmetric.types import PrivateKeyTypes
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.tls.certificates import EARLIEST
-from epf_gcs.tls.source import Found
+from epf_gcs.tls.source import UsableCertificate
 
 SOON_DAYS: Final = 14
 """A certificate that ends within this is reported."""
 
 
-class Brought:
+class GivenCertificate:
     """`certificate_file` begins with the station's certificate and goes on with its chain; the key may stand in the
     same file."""
 
@@ -29,7 +29,7 @@ class Brought:
         self._certificate_file = certificate_file
         self._key_file = key_file
 
-    def find(self, now: datetime) -> Found:
+    def find(self, now: datetime) -> UsableCertificate:
         """The certificate. Raises GatewayError with what is wrong and what to do."""
         certificate = _certificate(self._certificate_file)
         key = _key(self._key_file)
@@ -43,7 +43,9 @@ class Brought:
             )
         fault = _fault_of_time(certificate, self._certificate_file, now)
         is_refused = fault is not None and fault.code != "tls_ends_soon"
-        return Found(certificate, self._certificate_file, self._key_file, fault=fault, is_refused=is_refused)
+        return UsableCertificate(
+            certificate, self._certificate_file, self._key_file, fault=fault, is_refused=is_refused
+        )
 
 
 def _certificate(file: Path) -> x509.Certificate:

@@ -17,7 +17,7 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.repeating import repeat
 from epf_gcs.tls.certificates import addresses_of, fingerprint_of, names_of
 from epf_gcs.tls.context import make_context
-from epf_gcs.tls.source import Found, Source
+from epf_gcs.tls.source import Source, UsableCertificate
 
 LOOK_EVERY_S: Final = 60.0
 _SAID_AGAIN: Final = timedelta(hours=1)
@@ -31,7 +31,7 @@ class InUse:
     """What the station shows to browsers."""
 
     kind: Literal["made", "brought"]
-    found: Found
+    found: UsableCertificate
 
     @property
     def names(self) -> list[str]:
@@ -87,7 +87,7 @@ class Keeper:
     async def look(self) -> None:
         """Take a new certificate into use if there is one; else keep the old one, and say what is wrong."""
         found = await asyncio.to_thread(self._find)
-        if isinstance(found, Found) and self._is_better(found):
+        if isinstance(found, UsableCertificate) and self._is_better(found):
             try:
                 self.context = _context(found)
             except GatewayError as error:
@@ -95,12 +95,12 @@ class Keeper:
             else:
                 self.in_use = InUse(self._source.kind, found)
                 log.info("a new certificate is in use", until=str(found.certificate.not_valid_after_utc))
-        self._set_fault(found.fault if isinstance(found, Found) else found)
+        self._set_fault(found.fault if isinstance(found, UsableCertificate) else found)
 
-    def _is_better(self, found: Found) -> bool:
+    def _is_better(self, found: UsableCertificate) -> bool:
         return found.certificate != self.in_use.found.certificate and not found.is_refused
 
-    def _find(self) -> Found | GatewayError:
+    def _find(self) -> UsableCertificate | GatewayError:
         try:
             return self._source.find(self._now())
         except GatewayError as error:
@@ -124,7 +124,7 @@ class Keeper:
         self.fault = fault
 
 
-def _context(found: Found) -> ssl.SSLContext:
+def _context(found: UsableCertificate) -> ssl.SSLContext:
     try:
         return make_context(found.certificate_file, found.key_file)
     except (OSError, ssl.SSLError) as error:

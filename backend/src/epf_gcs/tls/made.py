@@ -22,7 +22,7 @@ from epf_gcs.tls.certificates import (
     station_serves,
 )
 from epf_gcs.tls.identity import Identity
-from epf_gcs.tls.source import Found
+from epf_gcs.tls.source import UsableCertificate
 
 AUTHORITY: Final = "authority.pem"
 """Key and certificate of the authority."""
@@ -37,7 +37,7 @@ _ANYBODY: Final = 0o644
 log = structlog.get_logger("gateway")
 
 
-class Made:
+class OwnCertificate:
     """An authority and a certificate in `folder`, made when they are missing, damaged, near their end or no longer fit.
 
     `identity` is asked each time, for addresses change.
@@ -49,7 +49,7 @@ class Made:
         self._folder = folder
         self._identity = identity
 
-    def find(self, now: datetime) -> Found:
+    def find(self, now: datetime) -> UsableCertificate:
         """The certificate, which lasts for a while yet. Raises OSError if it cannot be written."""
         identity = self._identity()
         authority = self._read(AUTHORITY)
@@ -65,7 +65,7 @@ class Made:
             self._write(STATION, station.pem(), _OWNER_ALONE)
             log.info("a new certificate was made for TLS", until=str(station.certificate.not_valid_after_utc))
         file = self._folder / STATION
-        return Found(station.certificate, file, file, authority.certificate)
+        return UsableCertificate(station.certificate, file, file, authority.certificate)
 
     def _read(self, name: str) -> Pair | None:
         """None if it is missing or damaged; a damaged one is kept beside the new one."""

@@ -13,7 +13,7 @@ from epf_gcs.errors import GatewayError
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class UsableCertificate:
     """A certificate that can be used now, in PEM files. `authority` is the one that made it, None if it was brought.
 
     `fault` says what a person has to do, soon or, where `is_refused`, now: browsers refuse the certificate.
@@ -32,5 +32,5 @@ class Source(Protocol):
 
     kind: Literal["made", "brought"]
 
-    def find(self, now: datetime) -> Found:
+    def find(self, now: datetime) -> UsableCertificate:
         """The certificate to use from now on; makes or reads it. Blocks. Raises GatewayError or OSError."""

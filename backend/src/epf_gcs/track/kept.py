@@ -21,7 +21,7 @@ _LASTS_S: Final = 6 * 3600.0
 
 
 @dataclass(slots=True)
-class _Written:
+class _FileState:
     """State of the file: it holds the first `points` points of the track with this epoch."""
 
     epoch: int
@@ -36,7 +36,7 @@ class KeptTrack:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._written: _Written | None = None
+        self._written: _FileState | None = None
 
     def load(self, now_s: float, epoch: int) -> Track | None:
         """The saved track; None if there is none of the last hours. An incomplete last record is ignored."""
@@ -54,7 +54,7 @@ class KeptTrack:
             return None
         track = Track(t0_s, epoch)
         track.restore(points, records[:, POINT.itemsize :].tobytes())
-        self._written = _Written(track.epoch, count)
+        self._written = _FileState(track.epoch, count)
         return track
 
     def save(self, epoch: int, t0_s: float, total: int, points: bytes, attitudes: bytes, first: int) -> None:
@@ -72,7 +72,7 @@ class KeptTrack:
                 file.write(records.tobytes())
                 file.truncate()
                 os.fsync(file.fileno())
-        self._written = _Written(epoch, total)
+        self._written = _FileState(epoch, total)
 
     def first_unwritten(self, track: Track) -> int:
         """Index of the first point that the file does not hold; 0 if it holds another track."""

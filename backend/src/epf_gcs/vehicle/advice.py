@@ -35,7 +35,7 @@ class Stream(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Observed:
+class AdviceFacts:
     """All that advice is made from; None or empty: unknown, or no problem.
 
     `silent_target` is the address of a board that sends nothing, `silent_port` the UDP port at which a simulator's
@@ -58,13 +58,13 @@ class Observed:
     round_trip_p99_ms: float | None = None
 
 
-def advice(observed: Observed) -> list[AdviceState]:
+def advice(observed: AdviceFacts) -> list[AdviceState]:
     """All hints that apply, warnings first."""
     found = [one for look in _LOOKS for one in look(observed)]
     return sorted(found, key=lambda one: one.level != "warning")
 
 
-def _look_at_board(observed: Observed) -> Iterator[AdviceState]:
+def _look_at_board(observed: AdviceFacts) -> Iterator[AdviceState]:
     baud, target = observed.rubbish_at_baud, observed.silent_target
     if baud is not None:
         text = f"Only rubbish comes from the board's line at {baud} baud: try another baud rate."
@@ -74,7 +74,7 @@ def _look_at_board(observed: Observed) -> Iterator[AdviceState]:
         yield AdviceState("no_heartbeat", "warning", text, {"target": target})
 
 
-def _look_at_load(observed: Observed) -> Iterator[AdviceState]:
+def _look_at_load(observed: AdviceFacts) -> Iterator[AdviceState]:
     for direction, words, percent in (
         ("rx", "from", observed.rx_percent),
         ("tx", "to", observed.tx_percent),
@@ -90,14 +90,14 @@ def _look_at_load(observed: Observed) -> Iterator[AdviceState]:
     yield AdviceState("servo_rate_high", "info", text, {"ms": ms, "percent": round(share)})
 
 
-def _look_at_damage(observed: Observed) -> Iterator[AdviceState]:
+def _look_at_damage(observed: AdviceFacts) -> Iterator[AdviceState]:
     if observed.damaged_percent > observed.damaged_limit_percent:
         percent = round(observed.damaged_percent, 1)
         text = f"{percent:g} % of the board's frames are damaged: check baud rate, cable and radio."
         yield AdviceState("frames_damaged", "warning", text, {"percent": percent})
 
 
-def _look_at_streams(observed: Observed) -> Iterator[AdviceState]:
+def _look_at_streams(observed: AdviceFacts) -> Iterator[AdviceState]:
     slow = [stream for stream in observed.streams if stream.rate_hz < _SLOW * stream.expected_hz]
     if len(slow) >= _TOGETHER:
         listed = ", ".join(f"{topic} {rate_hz:.1f}/{expected_hz:.1f} Hz" for topic, rate_hz, expected_hz in slow)
@@ -114,7 +114,7 @@ def _look_at_streams(observed: Observed) -> Iterator[AdviceState]:
         yield AdviceState("stream_slow", "info", text, params)
 
 
-def _look_at_simulator(observed: Observed) -> Iterator[AdviceState]:
+def _look_at_simulator(observed: AdviceFacts) -> Iterator[AdviceState]:
     port = observed.silent_port
     if port is not None:
         text = f"The simulator sends nothing to UDP port {port}: check that it runs, its data output and its address."
@@ -129,14 +129,14 @@ def _look_at_simulator(observed: Observed) -> Iterator[AdviceState]:
         yield AdviceState("foreign_datagrams", "info", text, {"count": observed.strangers})
 
 
-def _look_at_loop(observed: Observed) -> Iterator[AdviceState]:
+def _look_at_loop(observed: AdviceFacts) -> Iterator[AdviceState]:
     ms = observed.round_trip_p99_ms
     if ms is not None and ms > _LONG_ROUND_TRIP_MS:
         text = f"One in a hundred answers of the HIL loop takes {ms:.0f} ms or longer: lower the rates of the streams."
         yield AdviceState("round_trip_long", "warning", text, {"ms": round(ms)})
 
 
-_LOOKS: Final[tuple[Callable[[Observed], Iterator[AdviceState]], ...]] = (
+_LOOKS: Final[tuple[Callable[[AdviceFacts], Iterator[AdviceState]], ...]] = (
     _look_at_board,
     _look_at_load,
     _look_at_damage,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from epf_gcs.contract.status import Features, Firmware, TaskPeriod, TaskPeriods
-from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
+from epf_gcs.vehicle.wanted import RATE_COMMANDS, IntendedSettings
 
 
 def features_of(capabilities: Mapping[str, Any]) -> Features:
@@ -22,7 +22,7 @@ def firmware_of(capabilities: Mapping[str, Any]) -> Firmware | None:
     return Firmware(capabilities.get("firmware_name"), capabilities.get("firmware_version"))
 
 
-def periods_of(wanted: Wanted) -> TaskPeriods:
+def periods_of(wanted: IntendedSettings) -> TaskPeriods:
     """The periods of the three tasks: as commanded, else the board's own."""
     return TaskPeriods(
         *(

@@ -33,7 +33,7 @@ class Finding:
     params: Params = field(default_factory=dict)
 
 
-class Lasting:
+class Debounce:
     """Debounces a condition: `holds` changes only after the condition has differed from it for `lasts_s`.
 
     An unknown condition does not hold, but only after `HICCUP_S`: a short gap of the line changes nothing.
@@ -82,7 +82,7 @@ class BatteryJudge:
     """The battery of the board; no alarm while its voltage is not measured or not live."""
 
     def __init__(self) -> None:
-        self._low = Lasting(LASTS_S)
+        self._low = Debounce(LASTS_S)
         self._said_v = 0.0
 
     def kept(self) -> list[Any]:
@@ -110,7 +110,7 @@ class CpuJudge:
     """The load of the board's two processors."""
 
     def __init__(self) -> None:
-        self._high = Lasting(LASTS_S)
+        self._high = Debounce(LASTS_S)
         self._said_percent = 0
 
     def kept(self) -> list[Any]:
@@ -138,7 +138,7 @@ class GpsJudge:
     """The position: no fix, no validity, or no sample although the stream is wanted."""
 
     def __init__(self) -> None:
-        self._lost = Lasting(_GPS_LASTS_S)
+        self._lost = Debounce(_GPS_LASTS_S)
         self._said: Finding | None = None
         self._was_valid = False
 

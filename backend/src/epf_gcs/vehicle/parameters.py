@@ -17,7 +17,7 @@ BY_NAME: Final[Mapping[str, Parameter]] = {parameter.name: parameter for paramet
 
 
 @dataclass(frozen=True, slots=True)
-class Held:
+class GainRecord:
     """One gain as far as it is known. `value` is the board's, None until it was read.
 
     `loaded` is the board's value when it was first read, or when the operator last loaded all gains; the page shows
@@ -29,8 +29,8 @@ class Held:
     loaded: float | None = None
 
 
-Held17 = Mapping[str, Held]
-UNKNOWN: Final[Held17] = dict.fromkeys(BY_NAME, Held())
+Held17 = Mapping[str, GainRecord]
+UNKNOWN: Final[Held17] = dict.fromkeys(BY_NAME, GainRecord())
 
 
 def after_read(held: Held17, values: Mapping[str, Json]) -> Held17:
@@ -64,7 +64,7 @@ def as_held(name: str, value: float) -> float:
     return value if BY_NAME[name].is_integer else shortest(single(value))
 
 
-def gain_state(name: str, one: Held) -> GainState:
+def gain_state(name: str, one: GainRecord) -> GainState:
     """A gain as the stream and the interface give it."""
     return GainState(
         None if one.value is None else shown(name, one.value),
@@ -87,15 +87,15 @@ def fault(name: str, value: float) -> str | None:
     return limit_fault(name, value, parameter.minimum, parameter.maximum)
 
 
-def _after_read(held: Held, value: Json) -> Held:
+def _after_read(held: GainRecord, value: Json) -> GainRecord:
     if value is None or isinstance(value, str):
-        return Held(loaded=held.loaded)
+        return GainRecord(loaded=held.loaded)
     loaded = float(value) if held.loaded is None else held.loaded
     if held.state == "pending":
         return replace(held, value=float(value), loaded=loaded)
     # A confirmed gain stays confirmed while the board still has that value; any other becomes `loaded`.
     keeps = held.state == "confirmed" and held.value == float(value)
-    return Held(float(value), "confirmed" if keeps else "loaded", loaded)
+    return GainRecord(float(value), "confirmed" if keeps else "loaded", loaded)
 
 
 def _same(parameter: Parameter, wanted: float, found: Json) -> bool:

@@ -31,14 +31,14 @@ SOURCE_COMMAND: Final = "control_source"
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class IntendedSettings:
     """Streams that should be on, periods in ms that were set, and the control source, None where never chosen."""
 
     streams: frozenset[str] = frozenset()
     periods_ms: Mapping[str, int] = field(default_factory=dict)
     source: int | None = None
 
-    def after(self, command: str, arguments: Sequence[float]) -> Wanted:
+    def after(self, command: str, arguments: Sequence[float]) -> IntendedSettings:
         """What is wanted once this command was given."""
         if command == "start":
             return replace(self, streams=frozenset(STREAM_FLAGS))

@@ -17,7 +17,7 @@ from epf_gcs.access.control import Control, fields
 from epf_gcs.access.roles import Role
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
-from epf_gcs.contract.notices import StickMoved
+from epf_gcs.contract.notices import StickSample
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ErrorCode, GatewayError
 from epf_gcs.web.replays.replay_conversation import ReplayConversation
@@ -226,7 +226,7 @@ class StreamConversation:
             self._parts.status.strange_samples += 1
         elif control.holder == page:
             # The flight process counts even an invalid sample; only this process can answer the sender.
-            self._parts.vehicle.notice(StickMoved(page.client, message))
+            self._parts.vehicle.notice(StickSample(page.client, message))
         return ("stick_invalid", SAMPLE_FAULT) if sample is None else None
 
 

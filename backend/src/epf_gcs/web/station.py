@@ -15,7 +15,7 @@ from typing import Any, Final
 
 from epf_gcs.access.admission import Admission
 from epf_gcs.access.caller import Caller
-from epf_gcs.access.changes import HolderChanged
+from epf_gcs.access.changes import HolderChange
 from epf_gcs.access.control import Control
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
@@ -117,7 +117,7 @@ class Station:
             for caller in filter(None, map(admission.current, sessions)):
                 self.control.change_session(caller)
 
-        def noted(change: HolderChanged) -> None:
+        def noted(change: HolderChange) -> None:
             page = change.page or change.before
             if page is not None:
                 caller = Caller(page.kind, page.client, page.name, page.role, page.session)

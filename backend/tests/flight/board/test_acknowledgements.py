@@ -8,7 +8,7 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.values import meaning
-from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, Owed
+from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, OutstandingAcknowledgements
 
 BY_ID = sorted(COMMANDS.values(), key=lambda command: command.id)
 # One with neighbours on both sides, so that an order of ids is not taken for equality.
@@ -27,7 +27,7 @@ def frame(*values: int, name: str = "acknowledgement") -> Frame:
 class World:
     def __init__(self) -> None:
         self.now_s = 100.0
-        self.owed = Owed(lambda: self.now_s)
+        self.owed = OutstandingAcknowledgements(lambda: self.now_s)
 
     def judge(self, command_id: int) -> AcknowledgementJudge:
         made = AcknowledgementJudge(command_id, self.owed)

@@ -14,17 +14,17 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.board.commands import Commands
-from epf_gcs.flight.board.rearming import Rearming
+from epf_gcs.flight.board.rearming import Rearmer
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.vehicle.vehicle import Vehicle
-from epf_gcs.vehicle.wanted import Wanted
+from epf_gcs.vehicle.wanted import IntendedSettings
 from tests.support.held import HEARTBEAT, HeldClock, HeldLine, open_session
 from tests.support.outlet import KeptOutlet
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
 
-STREAMS = Wanted().after("ahrs_on", ()).after("gps_on", ())
+STREAMS = IntendedSettings().after("ahrs_on", ()).after("gps_on", ())
 
 
 class World:
@@ -39,7 +39,7 @@ class World:
         self.board, self.telemetry = vehicle.board, vehicle.telemetry
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
         self.looks = 0
-        self.rearming = Rearming(
+        self.rearming = Rearmer(
             board=self.board,
             commands=self.commands,
             telemetry=self.telemetry,
@@ -131,7 +131,7 @@ async def test_an_emulated_board_is_asked_for_nothing(tmp_path: Path) -> None:
 
 async def test_a_board_that_was_told_a_slow_heartbeat_is_given_its_time_after_the_cable_was_out(tmp_path: Path) -> None:
     async with a_world(tmp_path) as world:
-        world.memory.update(wanted=Wanted().after("set_parameter_task_rate", (2000,)))
+        world.memory.update(wanted=IntendedSettings().after("set_parameter_task_rate", (2000,)))
         world.opens()
         await world.was_sent("set_parameter_task_rate")
         world.board.on_bytes(HEARTBEAT)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from epf_gcs.bus.definition import Client
-from epf_gcs.contract.notices import ControlChanged, StickMoved, StickReleased
+from epf_gcs.contract.notices import ControlChange, StickRelease, StickSample
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.hil import stick as stick_module
 from epf_gcs.flight.hil.stick import Stick
@@ -62,10 +62,10 @@ class Seat:
         raise AssertionError("the stick sends no samples")
 
     def control(self, page: dict[str, Any], *, kept: bool = False) -> None:
-        self.notice(ControlChanged(**page, kept=kept))
+        self.notice(ControlChange(**page, kept=kept))
 
     def move(self, client: str, position: Surfaces = TURN) -> None:
-        self.notice(StickMoved(client, {**position._asdict(), "t_ms": self.time_s * 1000.0}))
+        self.notice(StickSample(client, {**position._asdict(), "t_ms": self.time_s * 1000.0}))
 
     def later(self, decode: Any) -> bool:
         raise AssertionError("the stick puts nothing off")
@@ -122,7 +122,7 @@ async def test_when_control_is_kept_no_longer_or_another_has_it_the_simulators_s
 
 async def test_who_loses_control_to_another_loses_the_stick_in_the_same_moment(seat: Seat) -> None:
     seat.control(BEA)
-    seat.notice(StickReleased("ana"))
+    seat.notice(StickRelease("ana"))
     assert seat.flies() is None
     assert seat.reasons == ["chosen", "control_lost"]
 
@@ -170,9 +170,9 @@ async def test_nobody_chooses_a_gamepad_while_control_is_only_kept(seat: Seat) -
 
 
 async def test_a_page_that_has_no_control_and_goes_takes_nobodys_hand_off_the_stick(seat: Seat) -> None:
-    seat.notice(StickReleased("bea"))
+    seat.notice(StickRelease("bea"))
     assert seat.flies() == TURN
-    seat.notice(StickReleased("ana"))
+    seat.notice(StickRelease("ana"))
     assert seat.flies() == LET_GO
 
 
@@ -180,10 +180,10 @@ async def test_a_page_whose_connection_ended_must_move_its_gamepad_again_before_
     seat = Seat()
     seat.control(ANA)
     seat.move("ana")
-    seat.notice(StickReleased("bea"))
+    seat.notice(StickRelease("bea"))
     await seat.stick.choose_gamepad("ana", "pad")
     seat.stick.choose_simulator()
-    seat.notice(StickReleased("ana"))
+    seat.notice(StickRelease("ana"))
     with pytest.raises(ConflictError, match="nothing of it arrives"):
         await seat.stick.choose_gamepad("ana", "pad")
 
@@ -238,7 +238,7 @@ async def test_a_gamepad_whose_pages_clock_was_set_back_meanwhile_can_be_chosen(
     seat.time_s += 0.4
     choosing = asyncio.create_task(seat.stick.choose_gamepad("ana", "pad"))
     await asyncio.sleep(0)
-    seat.notice(StickMoved("ana", {**TURN._asdict(), "t_ms": (seat.time_s - 60.0) * 1000.0}))
+    seat.notice(StickSample("ana", {**TURN._asdict(), "t_ms": (seat.time_s - 60.0) * 1000.0}))
     await choosing
     assert seat.flies() == TURN
 
@@ -296,15 +296,15 @@ async def test_a_hand_that_is_taken_off_the_stick_is_told_at_once(seat: Seat, ho
     if how == "control kept":
         seat.control(ANA, kept=True)
     else:
-        seat.notice(StickReleased("ana"))
+        seat.notice(StickRelease("ana"))
     assert seat.reasons == ["chosen", "lost"], "before anybody looks at the clock"
 
 
 async def test_samples_that_come_late_or_say_nothing_are_counted_and_move_nothing(seat: Seat) -> None:
     seat.time_s += 1.0
     late = {**GLIDE._asdict(), "t_ms": (seat.time_s - 0.5) * 1000.0}
-    seat.notice(StickMoved("ana", late))
-    seat.notice(StickMoved("ana", {**late, "throttle": None}))
+    seat.notice(StickSample("ana", late))
+    seat.notice(StickSample("ana", {**late, "throttle": None}))
     assert seat.stick.counts == {"taken": 1, "late": 1, "invalid": 1}
     assert seat.flies() == LET_GO
     assert seat.reasons == ["chosen", "lost"]

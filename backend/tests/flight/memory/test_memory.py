@@ -14,8 +14,8 @@ import structlog
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory import memory as memory_module
-from epf_gcs.flight.memory.memory import Memory, Remembered, _encode
-from epf_gcs.vehicle.wanted import Wanted
+from epf_gcs.flight.memory.memory import FlightMemory, Memory, _encode
+from epf_gcs.vehicle.wanted import IntendedSettings
 from tests.support.waiting import eventually, eventually_async
 
 
@@ -27,8 +27,8 @@ def a_memory(path: Path) -> tuple[Memory, list[GatewayError]]:
 def test_everything_is_there_after_a_restart(tmp_path: Path) -> None:
     path = tmp_path / "far" / "deep" / "state.json"
     memory, reported = a_memory(path)
-    assert memory.now == Remembered()
-    wanted = Wanted().after("ahrs_on", ()).after("set_fms_task_rate", (200,)).after("control_source", (1,))
+    assert memory.now == FlightMemory()
+    wanted = IntendedSettings().after("ahrs_on", ()).after("set_fms_task_rate", (200,)).after("control_source", (1,))
     memory.update(board_url="tcp://h:1", board_identity="0403:6001:A", hil_path="assisted", wanted=wanted)
     memory.update(thresholds={"battery_low_v": 11.1})
     memory.update(simulator={"receive_port": 1, "send_host": "127.0.0.1", "send_port": 2, "profile": "xp12"})
@@ -40,7 +40,7 @@ def test_everything_is_there_after_a_restart(tmp_path: Path) -> None:
     assert reported == []
 
 
-NO_PERIODS = orjson.dumps({**orjson.loads(_encode(Remembered())), "periods_ms": []})
+NO_PERIODS = orjson.dumps({**orjson.loads(_encode(FlightMemory())), "periods_ms": []})
 
 
 @pytest.mark.parametrize("content", [b"", b"rubbish", b"[]", b"{}", b'{"board_url": 1', b"\xff\xfe", NO_PERIODS])
@@ -50,7 +50,7 @@ def test_a_file_that_makes_no_sense_is_reported_and_forgotten(tmp_path: Path, co
     reported: list[GatewayError] = []
     with structlog.testing.capture_logs() as logged:
         memory = Memory(path, reported.append, unix_s=lambda: 1_770_000_000.0)
-    assert memory.now == Remembered()
+    assert memory.now == FlightMemory()
     assert [error.code for error in reported] == ["memory_unreadable"]
     assert "(its content makes no sense)" in reported[0].detail
     assert "it is kept as state.json.damaged-20260202T024000Z." in reported[0].detail
@@ -99,9 +99,9 @@ def test_a_file_of_a_version_that_did_not_keep_it_yet_is_read(tmp_path: Path, la
 
 def test_a_path_of_control_that_nobody_knows_is_the_manual_one(tmp_path: Path) -> None:
     path = tmp_path / "state.json"
-    path.write_bytes(orjson.dumps({**orjson.loads(_encode(Remembered())), "hil_path": "automatic"}))
+    path.write_bytes(orjson.dumps({**orjson.loads(_encode(FlightMemory())), "hil_path": "automatic"}))
     memory, reported = a_memory(path)
-    assert memory.now == Remembered(hil_path="manual")
+    assert memory.now == FlightMemory(hil_path="manual")
     assert reported == []
 
 

@@ -18,7 +18,7 @@ from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, SimulatorAddress
 from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.link.address import EMULATION, parse_address
-from epf_gcs.vehicle.wanted import Wanted
+from epf_gcs.vehicle.wanted import IntendedSettings
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -211,7 +211,7 @@ async def test_of_a_full_line_the_servo_streams_have_the_share_that_came(tmp_pat
     for name, period_s in (("servos_in", 0.02), ("fly_by_wire", 0.04)):
         for place in range(100):
             station.board.frame_statistics.heard[name].heard(now_s + place * period_s, None)
-    station.memory.update(wanted=Wanted().after("set_servos_task_rate", (40,)))
+    station.memory.update(wanted=IntendedSettings().after("set_servos_task_rate", (40,)))
     snapshot = take_snapshot(sources(station))
     full = replace(
         snapshot,
@@ -412,7 +412,7 @@ async def test_a_stream_is_expected_as_the_heartbeat_says_and_a_plan_as_it_was_a
     monkeypatch.setattr(type(station.board), "is_open", property(lambda _: True))
     assert take_snapshot(sources(station)).expected_hz == {"heartbeat": 10.0}
     station.telemetry.take("heartbeat", 1.0, {"ahrs": True, "gps": False, "servos": True, "fly_by_wire": None})
-    wanted = Wanted().after("gps_on", ()).after("fms_plan_on", ()).after("set_servos_task_rate", (40,))
+    wanted = IntendedSettings().after("gps_on", ()).after("fms_plan_on", ()).after("set_servos_task_rate", (40,))
     station.memory.update(wanted=wanted)
     assert take_snapshot(sources(station)).expected_hz == {
         "heartbeat": 10.0,

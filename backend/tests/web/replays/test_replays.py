@@ -13,7 +13,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from epf_gcs.contract.answers import FlightKnown
+from epf_gcs.contract.answers import FlightKnowledge
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.status import Status
 from epf_gcs.replay.outlet import Silence
@@ -236,7 +236,7 @@ def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: 
         assert later["t_s"] == pytest.approx(first["data"]["t_s"] + 5.0)
         assert later["link"]["round_trips"] is None
         stream.send({"type": "ask", "about": "known"})
-        known = read_as(FlightKnown, stream.next("answer")["data"])
+        known = read_as(FlightKnowledge, stream.next("answer")["data"])
         assert known.at_s == pytest.approx(10.0)
         assert known.parameters is None, "nobody noted a gain"
         stream.send({"type": "ask", "about": "secrets"})

@@ -12,24 +12,24 @@ import { ReadoutGrid } from "../../ui/Readout";
 import { useScrolledByKey } from "../../ui/useScrolledByKey";
 import "./flying.css";
 
-type Shown = ReadoutRows & ReadoutLayout;
+type Instrument = ReadoutRows & ReadoutLayout;
 
-const AIRSPEED: Shown = {
+const AIRSPEED: Instrument = {
   topic: "analog",
   chars: 5,
   rows: [{ field: "calibrated_airspeed_kt", label: "flying.airspeed", as: "speed" }],
 };
-const GROUND_SPEED: Shown = {
+const GROUND_SPEED: Instrument = {
   topic: "gps",
   chars: 5,
   rows: [{ field: "speed_kt", label: "flying.groundSpeed", as: "speed" }],
 };
-const ALTITUDE: Shown = {
+const ALTITUDE: Instrument = {
   topic: "analog",
   chars: 5,
   rows: [{ field: "altitude_m", label: "analog.altitude", as: "altitude" }],
 };
-const ATTITUDE_HEADING: Shown = { topic: "ahrs", chars: 5, rows: [YAW] };
+const ATTITUDE_HEADING: Instrument = { topic: "ahrs", chars: 5, rows: [YAW] };
 
 /** What the aircraft is flown by, in a small window: attitude, heading, speeds, altitude, and whether it flies by itself. */
 export function FlightInstruments() {

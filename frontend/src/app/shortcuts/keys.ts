@@ -7,10 +7,10 @@ export interface Step {
   readonly run: Shortcut | null;
 }
 
-type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "altKey" | "metaKey" | "repeat" | "target">;
+type KeyPress = Pick<KeyboardEvent, "key" | "ctrlKey" | "altKey" | "metaKey" | "repeat" | "target">;
 
 /** The result of a key, or null when it is no shortcut. The repeats of a held key are ignored. */
-export function nextStep(pressed: Pressed, armed: Shortcut | null): Step | null {
+export function nextStep(pressed: KeyPress, armed: Shortcut | null): Step | null {
   const { key, ctrlKey, altKey, metaKey, repeat, target } = pressed;
   if (ctrlKey || altKey || metaKey || repeat || isTyping(target)) {
     return null;

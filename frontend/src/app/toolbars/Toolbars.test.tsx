@@ -2,7 +2,7 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import { aStatus, heldBy } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 
 const heartbeat = {
   autopilot_hil: false,
@@ -34,7 +34,7 @@ async function press(name: string, option: string): Promise<void> {
   await userEvent.setup().click(within(control(name)).getByRole("radio", { name: option }));
 }
 
-function newest(station: Station): Asked {
+function newest(station: Station): FakeRequest {
   const asked = station.asked.at(-1);
   if (asked === undefined) {
     throw new Error("the page asked nothing");

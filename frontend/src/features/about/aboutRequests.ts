@@ -1,5 +1,5 @@
 import { type About, isAbout } from "../../protocol/guards.gen";
-import type { AskingParts } from "../../requests/asking";
+import type { RequesterParts } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
@@ -10,7 +10,7 @@ export interface AboutRequests {
 
 export const ABOUT = partName<AboutRequests>("about");
 
-export function createAbout({ rest }: Pick<AskingParts, "rest">): AboutRequests {
+export function createAbout({ rest }: Pick<RequesterParts, "rest">): AboutRequests {
   return {
     read: async () => {
       const answer = await rest.ask("GET", "/api/v1/about", isAbout);

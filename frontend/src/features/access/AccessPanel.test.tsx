@@ -1,7 +1,7 @@
 import { screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
@@ -18,7 +18,7 @@ const EVA = {
   sessions: 1,
 };
 
-function newest(station: Station, method: string, path: string): Asked {
+function newest(station: Station, method: string, path: string): FakeRequest {
   const found = station.askedAccess
     .filter((one) => one.method === method && one.path.startsWith(`/api/v1/access/${path}`))
     .at(-1);

@@ -2,7 +2,7 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { aStatus, heldBy } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 
 const user = userEvent.setup();
 
@@ -14,7 +14,7 @@ async function admitted(role: string, control = aStatus().control, extra: object
   return station;
 }
 
-function newest(station: Station): Asked {
+function newest(station: Station): FakeRequest {
   const asked = station.asked.at(-1);
   if (asked === undefined) {
     throw new Error("the page asked nothing");

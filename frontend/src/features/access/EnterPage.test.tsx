@@ -1,14 +1,14 @@
 import { cleanup, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 
 const user = userEvent.setup();
 const STRANGER = { state: "stranger", kind: null, role: null, name: null, anyone_may_fly: false };
 const WAITING = { ...STRANGER, state: "waiting", name: "Ana" };
 const ANA = { state: "in", kind: "person", role: "operator", name: "Ana · tableta", anyone_may_fly: false };
 
-function newest(station: Station, path: string): Asked {
+function newest(station: Station, path: string): FakeRequest {
   const asked = station.askedAccess.filter((question) => question.path === `/api/v1/access/${path}`).at(-1);
   if (asked === undefined) {
     throw new Error(`the page asked nothing of ${path}`);

@@ -23,7 +23,7 @@ import {
   type ProgramState,
   type SessionState,
 } from "../../protocol/guards.gen";
-import { type Asker, type AskingParts, createAsking, info } from "../../requests/asking";
+import { type Asker, createAsking, info, type RequesterParts } from "../../requests/asking";
 import type { Role } from "../../store/admission";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
@@ -76,7 +76,7 @@ export interface AccessAdmin {
 
 export const ACCESS_ADMIN = partName<AccessAdmin>("access admin");
 
-interface AdminParts extends AskingParts {
+interface AdminParts extends RequesterParts {
   readonly timers: Timers;
   readonly address: () => string;
 }

@@ -13,7 +13,7 @@ import { useAlignment } from "./alignment";
 import { AttitudeFeed, isWhole } from "./feed";
 import { Instead } from "./Instead";
 import { PictureTools } from "./PictureTools";
-import { type Shown, useStage } from "./useStage";
+import { type StagePicture, useStage } from "./useStage";
 
 export interface PictureSettings {
   readonly ghost: boolean;
@@ -42,9 +42,9 @@ interface Props {
   onFree: () => void;
 }
 
-type Picture = Shown<AttitudeScene>["picture"];
-type Kept = typeof import("../../scene/attitude/keptStage");
-const choose = (kept: Kept): AttitudeScene => kept.keptAttitude();
+type Picture = StagePicture<AttitudeScene>["picture"];
+type StageModule = typeof import("../../scene/attitude/keptStage");
+const choose = (kept: StageModule): AttitudeScene => kept.keptAttitude();
 
 /** The aircraft in 3D, painted without a render; without WebGL the instruments stand in its place. */
 export function AttitudePicture({ source, settings, camera, onCamera, onFree }: Props) {

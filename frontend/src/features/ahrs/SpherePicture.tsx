@@ -15,8 +15,8 @@ interface Props {
   onReading: (listener: ((reading: Vector | null) => void) | null) => void;
 }
 
-type Kept = typeof import("../../scene/attitude/keptStage");
-const choose = (kept: Kept): SphereScene => kept.keptSphere();
+type StageModule = typeof import("../../scene/attitude/keptStage");
+const choose = (kept: StageModule): SphereScene => kept.keptSphere();
 
 /** The readings in 3D. Without WebGL they are still collected and fitted. */
 export function SpherePicture({ calibration, onReading }: Props) {

@@ -2,12 +2,12 @@ import { FieldSamples } from "../../lib/fieldSamples";
 import { isCommandOutcome } from "../../protocol/guards.gen";
 import { resultMessage } from "../../requests/actions";
 import type { Asker } from "../../requests/asking";
-import { type AskingParts, createAsking } from "../../requests/asking";
+import { createAsking, type RequesterParts } from "../../requests/asking";
 import { type Ahrs3d, createAlignment } from "./alignment";
 
 const PATH = "/api/v1/ahrs-test";
 
-export function createAhrs3d(parts: AskingParts): Ahrs3d {
+export function createAhrs3d(parts: RequesterParts): Ahrs3d {
   const { run } = createAsking(parts);
   const ask = (method: "POST" | "DELETE", name: string) => (asker: Asker) =>
     run(asker, parts.rest.ask(method, PATH, isCommandOutcome), (result) => ({

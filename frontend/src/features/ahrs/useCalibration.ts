@@ -54,14 +54,14 @@ function rough(points: readonly Vector[]): { centre: Vector; radius: number } {
   return { centre: [x, y, z], radius: half };
 }
 
-interface Collecting {
+interface Collection {
   readonly calibration: Calibration;
   /** Called with each present reading; null while there is none. */
   readonly onReading: (listener: ((reading: Vector | null) => void) | null) => void;
 }
 
 /** Collects readings while `isOn`, and fits them a few times a second. */
-export function useCalibration(isOn: boolean): Collecting {
+export function useCalibration(isOn: boolean): Collection {
   const { samples } = usePart(AHRS);
   const [calibration, setCalibration] = useState(() => calibrate(samples.points));
   const listener = useRef<((reading: Vector | null) => void) | null>(null);

@@ -9,12 +9,12 @@ export interface TurnedAct extends Act {
   readonly rig: OrbitRig;
 }
 
-type Kept = typeof import("../../scene/attitude/keptStage");
+type StageModule = typeof import("../../scene/attitude/keptStage");
 
 /** Why there is no picture: no WebGL, its context was lost, or its code could not be loaded. */
 export type PictureProblem = "noWebgl" | "lost" | "notLoaded";
 
-export interface Shown<A> {
+export interface StagePicture<A> {
   /** Null until it is loaded, or if it cannot be drawn. */
   readonly picture: { readonly act: A; readonly stage: Stage } | null;
   readonly problem: PictureProblem | null;
@@ -28,10 +28,10 @@ export interface Shown<A> {
  */
 export function useStage<A extends TurnedAct>(
   host: RefObject<HTMLElement | null>,
-  choose: (kept: Kept) => A,
+  choose: (kept: StageModule) => A,
   dress: (act: A, palette: Palette) => void,
-): Shown<A> {
-  const [picture, setPicture] = useState<Shown<A>["picture"]>(null);
+): StagePicture<A> {
+  const [picture, setPicture] = useState<StagePicture<A>["picture"]>(null);
   const [problem, setProblem] = useState<PictureProblem | null>(null);
   const [attempt, setAttempt] = useState(0);
 
@@ -39,7 +39,7 @@ export function useStage<A extends TurnedAct>(
     let isWanted = true;
     let leave = (): void => undefined;
 
-    function enter(kept: Kept): void {
+    function enter(kept: StageModule): void {
       const element = host.current;
       if (!isWanted || element === null) {
         return;

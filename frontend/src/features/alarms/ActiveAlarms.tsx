@@ -10,7 +10,13 @@ import { Panel } from "../../ui/Panel";
 import { ALARM_LOG } from "./alarmLog";
 import { LevelMark } from "./LevelMark";
 import { GATEWAY_LOST } from "./raisedAlarms";
-import { blockedAmong, type ShownAlarm, type ShownEnded, useActiveAlarms, useEndedAlarms } from "./useAlarms";
+import {
+  type AlarmView,
+  blockedAmong,
+  type EndedAlarmView,
+  useActiveAlarms,
+  useEndedAlarms,
+} from "./useAlarms";
 
 /** The active alarms, each with its advice. */
 export function ActiveAlarms() {
@@ -54,7 +60,7 @@ export function ActiveAlarms() {
   );
 }
 
-function Active({ alarm }: { alarm: ShownAlarm }) {
+function Active({ alarm }: { alarm: AlarmView }) {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
   const sentence = useSentence();
@@ -95,7 +101,7 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
 }
 
 /** Ended without being acknowledged: shown until somebody acknowledges it. */
-function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: ShownEnded }) {
+function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: EndedAlarmView }) {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
   const control = `acknowledge.${id}`;
@@ -121,7 +127,7 @@ function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: 
 }
 
 /** How long it has lasted, by the clock of the side that raised it. */
-function Lasting({ alarm: { id, since_s } }: { alarm: ShownAlarm }) {
+function Lasting({ alarm: { id, since_s } }: { alarm: AlarmView }) {
   const { connection } = usePage();
   const alarmLog = usePart(ALARM_LOG);
   const lasting = useTelemetry(() => {

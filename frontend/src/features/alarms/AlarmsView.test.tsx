@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
 import { aStatus, heldBy } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
@@ -22,7 +22,7 @@ const BATTERY = { name: "battery_low_v", value: 11, default: 10.5, minimum: 0, m
 
 let station: Station;
 
-function asked(method: string, path: string): Asked[] {
+function asked(method: string, path: string): FakeRequest[] {
   return station.asked.filter((question) => question.method === method && question.path === path);
 }
 

@@ -2,7 +2,7 @@ import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import { BOARD_RESTARTED } from "../../protocol/boardRestart";
 import { isAlarmBook, isThresholdList } from "../../protocol/guards.gen";
-import { type AskingParts, createAsking, info } from "../../requests/asking";
+import { createAsking, info, type RequesterParts } from "../../requests/asking";
 import type { Connection, ConnectionStore } from "../../store/connection";
 import { failureMessage } from "../../store/messages";
 import type { SettingsStore } from "../../store/settings";
@@ -25,7 +25,7 @@ import { Annunciator } from "./annunciator";
 import { endedAlarms } from "./endedAlarms";
 import { activeAlarms, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
 
-export interface AlarmParts extends AskingParts {
+export interface AlarmParts extends RequesterParts {
   readonly connection: ConnectionStore;
   readonly telemetry: TelemetryStore;
   readonly settings: SettingsStore;

@@ -5,9 +5,9 @@ import { TelemetryStore } from "../../store/telemetry";
 import { aStatus, aTopic } from "../../test/aStatus";
 import { activeAlarms, isRecovered } from "./raisedAlarms";
 
-type Raised = Status["alarms"][number];
+type AlarmRecord = Status["alarms"][number];
 
-function raised(id: string, parts: Partial<Raised> = {}): Raised {
+function raised(id: string, parts: Partial<AlarmRecord> = {}): AlarmRecord {
   return {
     id,
     level: "warning",

@@ -13,7 +13,7 @@ interface Acknowledgeable {
   readonly blocked: string | undefined;
 }
 
-export interface ShownAlarm extends ActiveAlarm, Acknowledgeable {
+export interface AlarmView extends ActiveAlarm, Acknowledgeable {
   readonly text: string;
 }
 
@@ -23,7 +23,7 @@ export function useAlarmLogState<T>(select: (state: AlarmLogState) => T): T {
 }
 
 /** The active alarms in the page's language, the most urgent first. */
-export function useActiveAlarms(): readonly ShownAlarm[] {
+export function useActiveAlarms(): readonly AlarmView[] {
   const sentence = useSentence();
   const phase = useConnection((connection) => connection.phase);
   const status = useConnection((connection) => connection.status);
@@ -43,13 +43,13 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
   );
 }
 
-export interface ShownEnded extends EndedAlarm, Acknowledgeable {
+export interface EndedAlarmView extends EndedAlarm, Acknowledgeable {
   /** Its name in the page's language. */
   readonly name: string;
 }
 
 /** Alarms that ended before anybody acknowledged them, newest first. */
-export function useEndedAlarms(): readonly ShownEnded[] {
+export function useEndedAlarms(): readonly EndedAlarmView[] {
   const sentence = useSentence();
   const phase = useConnection((connection) => connection.phase);
   const status = useConnection((connection) => connection.status);

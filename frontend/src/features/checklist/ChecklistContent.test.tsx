@@ -2,7 +2,7 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 
 const user = userEvent.setup();
 const LINES = [
@@ -10,7 +10,7 @@ const LINES = [
   { text: "Sin alarmas", watched: "alarms" },
 ];
 
-function newest(station: Station, method: string): Asked {
+function newest(station: Station, method: string): FakeRequest {
   const found = station.asked
     .filter((one) => one.method === method && one.path === "/api/v1/checklist")
     .at(-1);

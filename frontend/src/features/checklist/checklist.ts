@@ -7,7 +7,7 @@ import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { BrowserStorage } from "../../store/settings";
 
-export type Watched = NonNullable<ChecklistLine["watched"]>;
+export type AutomaticCheck = NonNullable<ChecklistLine["watched"]>;
 export const WATCHED = [
   "gps",
   "battery",
@@ -15,7 +15,7 @@ export const WATCHED = [
   "plan",
   "recorder",
   "alarms",
-] as const satisfies readonly Watched[];
+] as const satisfies readonly AutomaticCheck[];
 
 /** The page's own list: these, then what the station sees. Their texts are in the catalogue. */
 export const OWN_LINES = ["airframe", "balance", "surfaces", "transmitter", "wind"] as const;
@@ -33,7 +33,7 @@ export interface ChecklistState {
 export interface ChecklistPart {
   readonly store: StoreApi<ChecklistState>;
   /** Whether the page sees now what a line says. */
-  readonly sees: (watched: Watched) => boolean;
+  readonly sees: (watched: AutomaticCheck) => boolean;
   readonly read: () => Promise<void>;
   /** Keep the lines for everybody; null: the page's own list again. Returns the message of a failure. */
   readonly keep: (lines: readonly ChecklistLine[] | null) => Promise<Message | null>;
@@ -48,7 +48,7 @@ const KEY = "epf-gcs.checklist";
 export function createChecklist(parts: {
   readonly rest: Pick<Gateway, "ask">;
   readonly storage: BrowserStorage | null;
-  readonly sees: (watched: Watched) => boolean;
+  readonly sees: (watched: AutomaticCheck) => boolean;
 }): { readonly checklist: ChecklistPart; readonly takeChecklistEvent: (event: StreamEvent) => void } {
   const { rest, storage, sees } = parts;
   const store = createStore<ChecklistState>(() => ({

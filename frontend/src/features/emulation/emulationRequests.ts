@@ -1,4 +1,4 @@
-import { type Asker, type AskingParts, createAsking, info } from "../../requests/asking";
+import { type Asker, createAsking, info, type RequesterParts } from "../../requests/asking";
 import { partName } from "../../store/parts";
 
 const BOARD = "/api/v1/links/board";
@@ -14,7 +14,7 @@ export interface EmulationRequests {
 
 export const EMULATION = partName<EmulationRequests>("emulation");
 
-export function createEmulation(parts: AskingParts): EmulationRequests {
+export function createEmulation(parts: RequesterParts): EmulationRequests {
   const { simply } = createAsking(parts);
   return {
     start: (asker) => simply(asker, ["PUT", BOARD, { url: EMULATION_URL }], info("said.emulationStarted")),

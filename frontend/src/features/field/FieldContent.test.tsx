@@ -2,7 +2,7 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { FIELD_WISH } from "../../store/fieldWish";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 
 const user = userEvent.setup();
 const FIELDS = "/api/v1/map/fields";
@@ -46,7 +46,7 @@ const ESTIMATE = {
   free_bytes: 5_000_000_000,
 };
 
-function newest(station: Station, method: string, path: string): Asked {
+function newest(station: Station, method: string, path: string): FakeRequest {
   const found = station.asked.filter((one) => one.method === method && one.path === path).at(-1);
   if (found === undefined) throw new Error(`nothing was asked of ${path}`);
   return found;

@@ -11,7 +11,7 @@ import {
   type MapLayer,
   type PreparedField,
 } from "../../protocol/guards.gen";
-import { type Asker, type AskingParts, createAsking, info } from "../../requests/asking";
+import { type Asker, createAsking, info, type RequesterParts } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
@@ -62,7 +62,7 @@ export const LAYERS = "/api/v1/map/layers";
 const PROOF_MS = 600_000;
 
 /** Fields that are prepared, and those that are there. */
-export function createFields(parts: AskingParts & { readonly onChanged: () => void }): {
+export function createFields(parts: RequesterParts & { readonly onChanged: () => void }): {
   readonly field: FieldPart;
   readonly takeFieldEvent: (event: StreamEvent) => void;
 } {

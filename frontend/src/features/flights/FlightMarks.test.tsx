@@ -2,7 +2,7 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, expect, test } from "vitest";
 import { aFlight, aFlightList } from "../../test/flights";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
@@ -18,7 +18,7 @@ const MARK = {
 let station: Station;
 
 /** The newest question with this method about the flight's marks. */
-function newest(method: string): Asked {
+function newest(method: string): FakeRequest {
   const asked = station.asked.filter((one) => one.method === method && /\/marks/.test(one.path)).at(-1);
   if (asked === undefined) throw new Error(`nothing was asked with ${method}`);
   return asked;

@@ -4,7 +4,7 @@ import { act } from "react";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Job } from "../../protocol/guards.gen";
 import { aFlight, aFlightList, aJob } from "../../test/flights";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 import { FLIGHT_COMPARISON } from "./flightComparison";
 
@@ -16,7 +16,7 @@ const LIST = /\/flights\?.*sort=/;
 
 let station: Station;
 
-function newest(method: string, path: RegExp): Asked {
+function newest(method: string, path: RegExp): FakeRequest {
   const found = station.asked
     .filter((question) => question.method === method && path.test(question.path))
     .at(-1);

@@ -4,7 +4,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import { formatDateTime } from "../../lib/moment";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { aFlight, aFlightEvent, aFlightList } from "../../test/flights";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
@@ -15,7 +15,7 @@ const ID = FIRST.id;
 
 let station: Station;
 
-function asked(method: string, path: RegExp): Asked[] {
+function asked(method: string, path: RegExp): FakeRequest[] {
   // The bar asks about the flight being recorded; what is asked of another flight is the tab's question.
   const ofOthers = station.askedByBar.filter((question) => !question.path.includes("/flights/current/"));
   return [...station.asked, ...ofOthers].filter(
@@ -23,7 +23,7 @@ function asked(method: string, path: RegExp): Asked[] {
   );
 }
 
-function newest(method: string, path: RegExp): Asked {
+function newest(method: string, path: RegExp): FakeRequest {
   const found = asked(method, path).at(-1);
   if (found === undefined) {
     throw new Error(`nothing was asked with ${method} ${path}`);

@@ -2,9 +2,9 @@ import { describe, expect, test } from "vitest";
 import { aFlightEvent } from "../../test/flights";
 import { eventMessage, groupOf } from "./flightEvents";
 
-type Said = { readonly key: string; readonly params: unknown };
+type Sentence = { readonly key: string; readonly params: unknown };
 
-function said(parts: Parameters<typeof aFlightEvent>[0]): Said {
+function said(parts: Parameters<typeof aFlightEvent>[0]): Sentence {
   const { key, params } = eventMessage(aFlightEvent(parts));
   return { key, params };
 }

@@ -1,11 +1,11 @@
 import { type FlightEvent, type FlightEvents, isFlightEvents } from "../../protocol/guards.gen";
-import { type Asking, type Gateway, info } from "../../requests/asking";
+import { type Gateway, info, type Requester } from "../../requests/asking";
 import type { Flights, LibraryStore, Mark, MarkChange } from "./flightLibrary";
 
 interface Parts {
   readonly rest: Gateway;
   readonly store: LibraryStore;
-  readonly run: Asking["run"];
+  readonly run: Requester["run"];
 }
 
 /** The mark of an event; null for any other event. */

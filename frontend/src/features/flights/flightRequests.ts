@@ -12,7 +12,7 @@ import {
   isJobList,
   type Job,
 } from "../../protocol/guards.gen";
-import { type AskingParts, createAsking, info } from "../../requests/asking";
+import { createAsking, info, type RequesterParts } from "../../requests/asking";
 import type { ConnectionStore } from "../../store/connection";
 import { failureMessage } from "../../store/messages";
 import { createLibrary, type Flights, isOver, type LibraryState } from "./flightLibrary";
@@ -29,7 +29,7 @@ const TYPING_MS = 300;
 /** Flights deleted here that are offered to be brought back at once; all others are in the bin. */
 const MOST_DELETED = 3;
 
-interface Parts extends AskingParts {
+interface Parts extends RequesterParts {
   readonly timers: Timers;
   /** The present. */
   readonly connection: ConnectionStore;

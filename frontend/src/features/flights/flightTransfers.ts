@@ -1,13 +1,13 @@
 import { formatBytes } from "../../lib/format";
-import { isJob, isJobStarted, type Job } from "../../protocol/guards.gen";
-import { type Asking, type Gateway, info } from "../../requests/asking";
+import { isJob, isJobStart, type Job } from "../../protocol/guards.gen";
+import { type Gateway, info, type Requester } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import type { Flights, LibraryStore, Upload } from "./flightLibrary";
 
 interface Parts {
   readonly rest: Gateway;
   readonly store: LibraryStore;
-  readonly run: Asking["run"];
+  readonly run: Requester["run"];
   /** A job as the gateway has it now. */
   readonly onJob: (job: Job) => void;
 }
@@ -56,7 +56,7 @@ export function createFlightTransfers({
         return;
       }
       const path = `/api/v1/flights?name=${encodeURIComponent(name)}`;
-      const answer = await rest.upload(path, isJobStarted, {
+      const answer = await rest.upload(path, isJobStart, {
         body: file,
         onSent: (sent_bytes) => change(key, { sent_bytes }),
         signal: controller.signal,
@@ -81,7 +81,7 @@ export function createFlightTransfers({
     export: (flight, { format, lang, from_s, to_s }, asker) =>
       run(
         asker,
-        rest.ask("POST", `/api/v1/flights/${flight}/exports`, isJobStarted, {
+        rest.ask("POST", `/api/v1/flights/${flight}/exports`, isJobStart, {
           format,
           lang,
           topics: null,

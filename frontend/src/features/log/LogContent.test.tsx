@@ -3,12 +3,12 @@ import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { aFlightEvent } from "../../test/flights";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 
 const user = userEvent.setup();
 const EVENTS = "/api/v1/flights/current/events";
 
-function asked(station: Station): readonly Asked[] {
+function asked(station: Station): readonly FakeRequest[] {
   return station.askedByBar.filter(({ path }) => path === EVENTS);
 }
 

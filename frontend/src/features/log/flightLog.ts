@@ -21,7 +21,7 @@ export const LOG_GROUPS = [
 export type LogGroup = (typeof LOG_GROUPS)[number];
 
 /** An event in words. */
-export interface ToldEvent {
+export interface EventMessage {
   readonly group: Exclude<LogGroup, "page">;
   readonly message: Message;
 }
@@ -34,7 +34,7 @@ export interface FlightLogState {
 
 export interface FlightLog {
   readonly store: StoreApi<FlightLogState>;
-  readonly tell: (event: FlightEvent) => ToldEvent;
+  readonly tell: (event: FlightEvent) => EventMessage;
   /** Read the events now, and again shortly after each new one, until the returned function is called. */
   readonly watch: () => () => void;
 }
@@ -48,7 +48,7 @@ export function createFlightLog(parts: {
   readonly rest: Pick<Gateway, "ask">;
   readonly timers: Timers;
   readonly connection: ConnectionStore;
-  readonly tell: (event: FlightEvent) => ToldEvent;
+  readonly tell: (event: FlightEvent) => EventMessage;
 }): { readonly flightLog: FlightLog; readonly takeLogEvent: (event: StreamEvent) => void } {
   const { rest, timers, connection, tell } = parts;
   const store = createStore<FlightLogState>(() => ({ events: null, failure: null }));

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import type { FlightEvent } from "../../protocol/guards.gen";
 import type { SaidMessage } from "../../store/messages";
 import { aFlightEvent } from "../../test/flights";
-import type { ToldEvent } from "./flightLog";
+import type { EventMessage } from "./flightLog";
 import { EVERYTHING, filtered, logFile, logRows } from "./logRows";
 
 const AT_S = 1_700_000_000;
@@ -11,7 +11,7 @@ function said(text: string, at_s: number, level: SaidMessage["level"] = "info"):
   return { level, key: text, params: {}, number: at_s - AT_S, said_ms: at_s * 1000 };
 }
 
-function tell(event: FlightEvent): ToldEvent {
+function tell(event: FlightEvent): EventMessage {
   const group = event.kind === "alarm" ? "alarm" : event.kind === "command" ? "command" : "trouble";
   return { group, message: { level: "info", key: event.name, params: {} } };
 }

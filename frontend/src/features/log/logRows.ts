@@ -1,6 +1,6 @@
 import type { FlightEvent } from "../../protocol/guards.gen";
 import type { Message, MessageLevel, SaidMessage } from "../../store/messages";
-import type { LogGroup, ToldEvent } from "./flightLog";
+import type { EventMessage, LogGroup } from "./flightLog";
 
 /** One line of the log. */
 export interface LogRow {
@@ -30,7 +30,7 @@ const SAME_S = 3;
 export function logRows(
   said: readonly SaidMessage[],
   events: readonly FlightEvent[],
-  tell: (event: FlightEvent) => ToldEvent,
+  tell: (event: FlightEvent) => EventMessage,
   sentence: (message: Message) => string,
 ): readonly LogRow[] {
   const recorded = events.map((event, index): LogRow => {

@@ -12,7 +12,7 @@ import { usePaint } from "../../store/usePaint";
 import { Checkbox } from "../../ui/Checkbox";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
-import { type Showing, showing } from "./aircraft/aircraftFeed";
+import { type AircraftState, showing } from "./aircraft/aircraftFeed";
 import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./aircraft/useFlightScene";
 import { FoldingPanel } from "./panels/FoldingPanel";
 import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./scenes/useFlat";
@@ -124,7 +124,7 @@ function Eye({ scene }: { scene: FlightScene | null }) {
 /** One line per aircraft: live, a ghost, or why it is not drawn. */
 function HowShown({ aircraft, name }: { aircraft: Aircraft; name: string }) {
   const { t } = useTranslation();
-  const how: Showing = useTelemetry((telemetry, now_ms) => showing(telemetry, aircraft, now_ms));
+  const how: AircraftState = useTelemetry((telemetry, now_ms) => showing(telemetry, aircraft, now_ms));
   const reason = {
     live: t("words.live"),
     stale: t("map.view.ghost"),

@@ -1,6 +1,6 @@
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { LayersSection } from "./LayersSection";
@@ -40,7 +40,7 @@ function open(): Station {
   return station;
 }
 
-function newest(station: Station, method: string, path: RegExp): Asked {
+function newest(station: Station, method: string, path: RegExp): FakeRequest {
   const asked = station.asked.filter((one) => one.method === method && path.test(one.path)).at(-1);
   if (asked === undefined) throw new Error(`the page asked nothing with ${method} ${path}`);
   return asked;

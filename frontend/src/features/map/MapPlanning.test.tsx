@@ -4,7 +4,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { boardHas, editPlan, MISSIONS } from "../../missions/planDrafts";
 import { aStatus, heldBy } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { PlanMap } from "./PlanMap";
@@ -87,7 +87,7 @@ async function opened(x: number, y: number): Promise<void> {
   await screen.findByRole("menu");
 }
 
-function newest(method: string): Asked {
+function newest(method: string): FakeRequest {
   const asked = station.asked.filter((one) => one.method === method).at(-1);
   if (asked === undefined) throw new Error(`nothing was asked with ${method}`);
   return asked;

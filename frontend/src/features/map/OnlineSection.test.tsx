@@ -1,7 +1,7 @@
 import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { MAP_LAYERS } from "./layers/layerList";
@@ -20,7 +20,7 @@ const ONLINE = { enabled: false, limit_bytes: 2e9, cached_bytes: 0, sources: [SO
 
 let station: Station;
 
-function newest(method: string, path: RegExp): Asked {
+function newest(method: string, path: RegExp): FakeRequest {
   const asked = station.asked.filter((one) => one.method === method && path.test(one.path)).at(-1);
   if (asked === undefined) throw new Error(`the page asked nothing with ${method} ${path}`);
   return asked;

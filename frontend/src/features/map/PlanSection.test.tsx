@@ -5,7 +5,7 @@ import type { Waypoint } from "../../lib/plan";
 import { editPlan, MISSIONS } from "../../missions/planDrafts";
 import { SELECTION } from "../../missions/selection";
 import { aStatus } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { PlanSection } from "./PlanSection";
@@ -38,7 +38,7 @@ async function downloaded(): Promise<void> {
   await newest("GET", /missions\/flight$/).answer({ plan: "flight", waypoints: plan });
 }
 
-function newest(method: string, path: RegExp): Asked {
+function newest(method: string, path: RegExp): FakeRequest {
   const asked = station.asked.filter((one) => one.method === method && path.test(one.path)).at(-1);
   if (asked === undefined) throw new Error(`the page asked nothing with ${method} ${path}`);
   return asked;

@@ -9,12 +9,12 @@ import { MOST_PLOTTED, type PlotKeyText } from "./plotted";
 /** Those with numbers. */
 const COLUMNS = ["rate", "jitter", "count", "damaged", "age"] as const;
 
-interface Plotting {
+interface PlotToggle {
   plotted: readonly PlotKeyText[];
   onToggle: (key: PlotKeyText) => void;
 }
 
-interface Props extends Plotting {
+interface Props extends PlotToggle {
   label: string;
   lines: readonly Line[];
   /** The board's frames can be damaged; the simulator's rows cannot. */
@@ -110,7 +110,7 @@ function LineRow({ line, hasDamage, isOpen, onOpen }: RowProps) {
   );
 }
 
-function Values({ line, plotted, onToggle }: Plotting & { line: Line }) {
+function Values({ line, plotted, onToggle }: PlotToggle & { line: Line }) {
   const { t } = useTranslation();
   if (line.values.length === 0) {
     return <p className="messages-none">{t("messages.noValues")}</p>;
@@ -141,7 +141,12 @@ function Text({ value: { value, unit } }: { value: LineValue }) {
   );
 }
 
-function PlotButton({ name, plotKey, plotted, onToggle }: Plotting & { name: string; plotKey: PlotKeyText }) {
+function PlotButton({
+  name,
+  plotKey,
+  plotted,
+  onToggle,
+}: PlotToggle & { name: string; plotKey: PlotKeyText }) {
   const { t } = useTranslation();
   const isPlotted = plotted.includes(plotKey);
   return (

@@ -2,7 +2,7 @@ import { cleanup, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Inspection } from "../../protocol/inspector";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
 const user = userEvent.setup();
@@ -60,7 +60,7 @@ const inspection: Inspection = {
   advice: [],
 };
 
-function questions(): Asked[] {
+function questions(): FakeRequest[] {
   return station.asked.filter(({ path }) => path === "/api/v1/inspector");
 }
 

@@ -31,12 +31,12 @@ export function MessagesView() {
   );
 }
 
-interface Toggling {
+interface Toggle {
   plotted: readonly PlotKeyText[];
   onToggle: (key: PlotKeyText) => void;
 }
 
-function Findings({ found, ...toggling }: Toggling & { found: Inspection | Message | null }) {
+function Findings({ found, ...toggling }: Toggle & { found: Inspection | Message | null }) {
   const { t } = useTranslation();
   const sentence = useSentence();
   if (found === null) {
@@ -57,13 +57,13 @@ function Findings({ found, ...toggling }: Toggling & { found: Inspection | Messa
   );
 }
 
-interface Plotted {
+interface PlotChoice {
   readonly plotted: readonly PlotKeyText[];
   readonly toggle: (key: PlotKeyText) => void;
 }
 
 /** The plotted values: stored, so that they survive a change of tabs. */
-function usePlotted(): Plotted {
+function usePlotted(): PlotChoice {
   const { settings } = usePage();
   const text = useSettings(({ choices }) => choices["messages.plotted"]);
   const profile = useConnection(({ status }) => status?.simulator.profile ?? "xp10");
@@ -74,7 +74,7 @@ function usePlotted(): Plotted {
   };
 }
 
-function Inspected({ inspection, ...toggling }: Toggling & { inspection: Inspection }) {
+function Inspected({ inspection, ...toggling }: Toggle & { inspection: Inspection }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const profile = useConnection(({ status }) => status?.simulator.profile ?? "xp10");

@@ -15,7 +15,7 @@ import { type FileRefusal, readParameterFile, writeParameterFile } from "./param
 import type { ParameterValues } from "./parameterValues";
 import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
 
-interface Refused {
+interface FileProblem {
   readonly file: string;
   readonly why: FileRefusal | "unreadable";
 }
@@ -27,7 +27,7 @@ export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
   const held = useParameters((values) => values.held);
   const load = useAsked("parameters.load");
   const blocked = useBoardBlocked();
-  const [refused, setRefused] = useState<Refused | null>(null);
+  const [refused, setRefused] = useState<FileProblem | null>(null);
   const isKnown = PARAMETERS.every(({ name }) => held[name].value !== null);
   const unknown = isKnown ? undefined : t("params.loadFirst");
   const areDefaults = PARAMETERS.every((info) => held[info.name].value === info.default);

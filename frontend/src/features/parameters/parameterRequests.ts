@@ -11,7 +11,7 @@ import { isParameterName } from "../../protocol/parameterName";
 import { type HeldParameter, isJournalEvent, isParameterEvent } from "../../protocol/parameters";
 import { resultMessage } from "../../requests/actions";
 import type { Asker } from "../../requests/asking";
-import { type AskingParts, createAsking, type Ended, info } from "../../requests/asking";
+import { createAsking, info, type RequestEnd, type RequesterParts } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import {
   type Changes,
@@ -26,7 +26,7 @@ import {
 const PATH = "/api/v1/parameters";
 
 /** The requests about the gains, with their outcome in the stores. */
-export function createParameterActions(values: ParameterStore, parts: AskingParts): ParameterActions {
+export function createParameterActions(values: ParameterStore, parts: RequesterParts): ParameterActions {
   const { rest, wall_ms } = parts;
   const { run } = createAsking(parts);
   /** Edits under way, each with the newest request that waits for its end. */
@@ -40,7 +40,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
   async function ask(
     question: readonly ["POST" | "PATCH", string, object?],
     asker: Asker,
-    end: (listed: ParameterList) => Ended,
+    end: (listed: ParameterList) => RequestEnd,
   ): Promise<Message | null> {
     const [method, path, body] = question;
     const asked = rest.ask(method, path, isParameterList, body);
@@ -109,7 +109,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
 }
 
 /** The outcome of a step, from the gains that were read back. */
-function writtenEnd(changes: Changes, { parameters }: ParameterList): Ended {
+function writtenEnd(changes: Changes, { parameters }: ParameterList): RequestEnd {
   const written = parameters.filter(({ name }) => changes[name] !== undefined);
   const refused = written.filter(({ state }) => state !== "confirmed");
   const [first] = refused;

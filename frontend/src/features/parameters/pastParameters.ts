@@ -1,5 +1,5 @@
 import type { StreamEvent } from "../../protocol/envelope";
-import type { AskingParts } from "../../requests/asking";
+import type { RequesterParts } from "../../requests/asking";
 import type { KnownAt } from "../../requests/knownAt";
 import { createParameterActions, takeParameterEvent } from "./parameterRequests";
 import { createParameters, forget, type ParameterActions, take } from "./parameterValues";
@@ -7,7 +7,7 @@ import { createParameters, forget, type ParameterActions, take } from "./paramet
 /** The gains as they were known at the moment of a flight; nothing of it is written. */
 export function createPastParameters(
   known: KnownAt,
-  asking: AskingParts,
+  asking: RequesterParts,
 ): { readonly actions: ParameterActions; readonly takeEvent: (event: StreamEvent) => void } {
   const values = createParameters();
   known.onKnown((then) => {

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { aStatus } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { PlansView } from "./PlansView";
@@ -33,7 +33,7 @@ async function downloaded(): Promise<void> {
   await newest("GET", /missions\/flight$/).answer({ plan: "flight", waypoints: plan });
 }
 
-function newest(method: string, path: RegExp): Asked {
+function newest(method: string, path: RegExp): FakeRequest {
   const asked = station.asked
     .filter((question) => question.method === method && path.test(question.path))
     .at(-1);

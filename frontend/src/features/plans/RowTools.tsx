@@ -4,7 +4,7 @@ import { MISSIONS, redoPlan, undoPlan, usePlans } from "../../missions/planDraft
 import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
 import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import type { Editing } from "./useEditing";
+import type { PlanEdit } from "./useEditing";
 
 interface Props {
   plan: PlanName;
@@ -12,7 +12,7 @@ interface Props {
   count: number;
   /** A plan of the past. */
   isFixed: boolean;
-  edit: Editing;
+  edit: PlanEdit;
 }
 
 /** Buttons for the same row edits as the keys. */

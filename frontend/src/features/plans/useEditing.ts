@@ -5,7 +5,7 @@ import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../missions/planDraft
 import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
 import { usePart } from "../../store/hooks";
 
-export interface Editing {
+export interface PlanEdit {
   readonly box: RefObject<HTMLDivElement | null>;
   /** Put a waypoint to another place, as it was typed. */
   readonly place: (row: number, place: Position) => void;
@@ -23,7 +23,7 @@ export function useEditing(
   plan: PlanName,
   selected: number | null,
   choose: (row: number | null) => void,
-): Editing {
+): PlanEdit {
   const { plans } = usePart(MISSIONS);
   const box = useRef<HTMLDivElement>(null);
   const wanted = useRef<{ readonly row: number; readonly field: WaypointField } | null>(null);

@@ -2,7 +2,7 @@ import { act, fireEvent, screen, within } from "@testing-library/react";
 import { beforeEach, describe, expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { FLIGHT, FLIGHT_STARTS_S } from "../../test/replay";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { PLAYBACK } from "./playbackRequests";
 
 /** Answers what the page asks about flights and has not been answered yet. */
@@ -16,7 +16,7 @@ async function answerFlights(station: Station, edge_s = 600): Promise<void> {
 
 const answered = new Set<string>();
 
-function answerOne({ path, answer }: Asked, edge_s: number): Promise<void> {
+function answerOne({ path, answer }: FakeRequest, edge_s: number): Promise<void> {
   if (path.includes("/overview")) {
     return answer({
       duration_s: edge_s,

@@ -7,7 +7,7 @@ export type TimeAction =
   | { readonly do: "frame" | "event" | "rate"; readonly direction: 1 | -1 }
   | { readonly do: "seconds"; readonly by_s: number };
 
-type Pressed = Pick<KeyboardEvent, "key" | "shiftKey" | "ctrlKey" | "altKey" | "metaKey">;
+type KeyPress = Pick<KeyboardEvent, "key" | "shiftKey" | "ctrlKey" | "altKey" | "metaKey">;
 
 const SECOND_S = 1;
 const TEN_SECONDS_S = 10;
@@ -42,7 +42,7 @@ const PLAIN: Readonly<Record<string, TimeAction>> = {
 };
 
 /** What this key does; null if it is none of the time's. */
-export function timeAction({ key, shiftKey, ctrlKey, altKey, metaKey }: Pressed): TimeAction | null {
+export function timeAction({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyPress): TimeAction | null {
   if (altKey || metaKey) {
     return null;
   }

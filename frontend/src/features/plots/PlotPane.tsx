@@ -9,7 +9,7 @@ import { Button } from "../../ui/Button";
 import { PLOT_DASHES, plotColour } from "../../ui/plotColours";
 import { Chart } from "./chart";
 import type { ChartListener } from "./chartGestures";
-import type { Drawn } from "./drawn";
+import type { PlotSeries } from "./drawn";
 import { isFresh, valueText } from "./figures";
 import { isThere } from "./plotFeed";
 import { PLOTS } from "./plots";
@@ -44,7 +44,7 @@ export interface PaneHandle {
 
 export interface Line {
   readonly key: string;
-  readonly drawn: Drawn;
+  readonly drawn: PlotSeries;
   readonly isOther: boolean;
 }
 
@@ -104,7 +104,7 @@ function useLines(signals: readonly string[], isCompared: boolean): readonly Lin
   const mine = useFeed("feed", (state) => state.signals);
   const others = useFeed("other", (state) => state.signals);
   return useMemo(() => {
-    const of = (known: ReadonlyMap<string, Drawn>, isOther: boolean): Line[] =>
+    const of = (known: ReadonlyMap<string, PlotSeries>, isOther: boolean): Line[] =>
       signals.flatMap((name) => {
         const drawn = known.get(name);
         return drawn === undefined ? [] : [{ key: isOther ? `other ${name}` : name, drawn, isOther }];

@@ -2,7 +2,7 @@ import { act, fireEvent, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { aStatus } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { Chart } from "./chart";
@@ -25,7 +25,7 @@ const TOPICS = [
 }));
 
 let station: Station;
-let done: Set<Asked>;
+let done: Set<FakeRequest>;
 
 beforeEach(() => {
   done = new Set();
@@ -47,15 +47,15 @@ function open(active = true): void {
 }
 
 /** What the page asked of the flights and has no answer to yet. */
-function waiting(): readonly Asked[] {
+function waiting(): readonly FakeRequest[] {
   return station.asked.filter((asked) => asked.path.startsWith("/api/v1/flights") && !done.has(asked));
 }
 
-function isSignals({ path }: Asked): boolean {
+function isSignals({ path }: FakeRequest): boolean {
   return path.includes("/signals?");
 }
 
-function queryOf({ path }: Asked): URLSearchParams {
+function queryOf({ path }: FakeRequest): URLSearchParams {
   return new URLSearchParams(path.split("?")[1]);
 }
 
@@ -102,7 +102,7 @@ function answerTo(path: string): unknown {
   return {};
 }
 
-function signals(asked: Asked, steps: Steps): unknown {
+function signals(asked: FakeRequest, steps: Steps): unknown {
   const names = (queryOf(asked).get("names") ?? "").match(/\w+\([^)]*\)|[\w.]+/g) ?? [];
   return {
     starts_s: STARTS_S,

@@ -4,7 +4,7 @@ import type { Timers } from "../../lib/timers";
 import { PLOT_DASHES, plotColour } from "../../ui/plotColours";
 import { axisLook, axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "../../ui/plotLook";
 import { ChartGestures, type ChartListener } from "./chartGestures";
-import type { Drawn } from "./drawn";
+import type { PlotSeries } from "./drawn";
 import { formatAt, type Stretch } from "./plotView";
 
 /** A line of the chart: signals of one unit share an axis. */
@@ -101,7 +101,7 @@ export class Chart {
   }
 
   /** Draw the signals in the order of the lines; undefined: nothing is known of it. */
-  draw(signals: ReadonlyArray<Drawn | undefined>, stretch: Stretch): void {
+  draw(signals: ReadonlyArray<PlotSeries | undefined>, stretch: Stretch): void {
     this.#stretch = stretch;
     const known = signals.length === this.#count ? signals : [];
     const data = joined(known);
@@ -146,7 +146,7 @@ function empty(count: number): uPlot.AlignedData {
 }
 
 /** Columns over the times of all signals: null is a gap, undefined is a time of another signal. */
-function joined(signals: ReadonlyArray<Drawn | undefined>): uPlot.AlignedData | null {
+function joined(signals: ReadonlyArray<PlotSeries | undefined>): uPlot.AlignedData | null {
   if (signals.length === 0) {
     return null;
   }

@@ -7,7 +7,7 @@ type Values = ReadonlyArray<number | null>;
  * A signal as it is drawn: steps in order of time with the least and the greatest value in each; null is a gap. Times
  * are seconds since the flight's start. `mean` and `count` are of all samples of the stretch.
  */
-export interface Drawn {
+export interface PlotSeries {
   readonly name: string;
   readonly unit: string;
   /** From the unit of the wire to this one. */
@@ -27,7 +27,7 @@ const LEAST_REACH_S = 0.5;
 const REACH_STEPS = 6;
 
 /** The gateway's answer as it is drawn; `shift_s` is taken from its times. */
-export function drawnOf(signal: Signal, shift_s = 0): Drawn {
+export function drawnOf(signal: Signal, shift_s = 0): PlotSeries {
   const { unit, factor } = shownUnit(signal.unit);
   const at_s: number[] = [];
   const low: Array<number | null> = [];
@@ -104,7 +104,7 @@ export function lastBefore(at_s: readonly number[], moment_s: number): number {
 }
 
 /** The extremes of the step nearest to a moment; null in a gap, and far from any step. */
-export function valueAt(drawn: Drawn, moment_s: number): readonly [number, number] | null {
+export function valueAt(drawn: PlotSeries, moment_s: number): readonly [number, number] | null {
   const before = lastBefore(drawn.at_s, moment_s);
   const isAfter =
     before < 0 ||
@@ -117,7 +117,7 @@ export function valueAt(drawn: Drawn, moment_s: number): readonly [number, numbe
 }
 
 /** The steps of a stretch, with one more on each side so that lines reach the edges. */
-export function cut(drawn: Drawn, from_s: number, to_s: number): Drawn {
+export function cut(drawn: PlotSeries, from_s: number, to_s: number): PlotSeries {
   const first = Math.max(0, lastBefore(drawn.at_s, from_s));
   const end = lastBefore(drawn.at_s, to_s) + 2;
   return {

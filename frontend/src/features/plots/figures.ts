@@ -1,7 +1,7 @@
 import { formatMeasured } from "../../lib/format";
 import { isTopic } from "../../protocol/topics";
 import type { TelemetryStore } from "../../store/telemetry";
-import { type Drawn, valueAt } from "./drawn";
+import { type PlotSeries, valueAt } from "./drawn";
 import { parseSignal } from "./signalNames";
 
 /** Whether all that a signal is made of arrives now. */
@@ -13,7 +13,7 @@ export function isFresh(telemetry: TelemetryStore, name: string, now_ms: number)
 }
 
 /** The value at a moment as text: two numbers where a step holds more than one; null where there is none. */
-export function valueText(drawn: Drawn, at_s: number | null): string | null {
+export function valueText(drawn: PlotSeries, at_s: number | null): string | null {
   const moment_s = at_s ?? drawn.at_s.at(-1) ?? null;
   const found = moment_s === null ? null : valueAt(drawn, moment_s);
   if (found === null) {

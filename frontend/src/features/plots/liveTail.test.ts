@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import { TelemetryStore } from "../../store/telemetry";
-import { type Drawn, drawnOf } from "./drawn";
+import { drawnOf, type PlotSeries } from "./drawn";
 import { LiveTail } from "./liveTail";
 
 const START_S = 1_700_000_000;
@@ -8,7 +8,7 @@ let telemetry: TelemetryStore;
 let tail: LiveTail;
 
 /** The gateway's answer: steps every 0.1 s until a second of the flight. */
-function answered(name: string, unit = "deg"): Drawn {
+function answered(name: string, unit = "deg"): PlotSeries {
   const at_s = Array.from({ length: 11 }, (_, index) => index / 10);
   const values = at_s.map(() => 1);
   return drawnOf({ name, unit, at_s, min: values, max: values, mean: 1, count: 11 });

@@ -1,6 +1,6 @@
 import { isTopic } from "../../protocol/topics";
 import type { TelemetryStore } from "../../store/telemetry";
-import { type Drawn, lastBefore, reachOf } from "./drawn";
+import { lastBefore, type PlotSeries, reachOf } from "./drawn";
 import { parseSignal } from "./signalNames";
 
 /** Longest stretch that is kept: answers about the flight under way come much more often. */
@@ -55,7 +55,7 @@ export class LiveTail {
   }
 
   /** The drawn signal and, after `from_s`, what has come since; all seconds since `starts_s`. */
-  extend(drawn: Drawn, starts_s: number, from_s: number): Drawn {
+  extend(drawn: PlotSeries, starts_s: number, from_s: number): PlotSeries {
     const tail = this.#of(drawn.name);
     const first = lastBefore(tail.t_s, starts_s + from_s) + 1;
     if (first >= tail.t_s.length) {

@@ -1,11 +1,11 @@
-import type { Drawn } from "./drawn";
+import type { PlotSeries } from "./drawn";
 import type { Stretch } from "./plotView";
 import { signalLabel, unitSymbol } from "./signalNames";
 
 /** A signal in a file; `flight` is the one it is of. */
 export interface ExportedSignal {
   readonly flight: string;
-  readonly drawn: Drawn;
+  readonly drawn: PlotSeries;
 }
 
 /**
@@ -56,7 +56,7 @@ export interface PicturedPane {
   readonly lines: ReadonlyArray<{ readonly text: string; readonly colour: string }>;
 }
 
-export function lineText({ name, unit }: Drawn, flight: string | null): string {
+export function lineText({ name, unit }: PlotSeries, flight: string | null): string {
   const symbol = unitSymbol(unit);
   const plain = symbol === "" ? signalLabel(name) : `${signalLabel(name)} (${symbol})`;
   return flight === null ? plain : `${flight}: ${plain}`;

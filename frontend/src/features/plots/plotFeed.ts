@@ -2,11 +2,11 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { type FlightTopic, isFlightTopics, isSignals } from "../../protocol/guards.gen";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
-import { type Drawn, drawnOf } from "./drawn";
+import { drawnOf, type PlotSeries } from "./drawn";
 import { parseSignal } from "./signalNames";
 
 /** What is to be drawn. `shift_s` is where the flight is at zero seconds of the plots. */
-export interface Wanted {
+export interface PlotRequest {
   readonly flight: string;
   readonly names: readonly string[];
   readonly from_s: number;
@@ -21,7 +21,7 @@ export interface FeedState {
   readonly starts_s: number | null;
   /** What the flight has; null while not known. */
   readonly topics: readonly FlightTopic[] | null;
-  readonly signals: ReadonlyMap<string, Drawn>;
+  readonly signals: ReadonlyMap<string, PlotSeries>;
   /** How far the last answer reaches. */
   readonly to_s: number;
   readonly isLoading: boolean;
@@ -32,7 +32,7 @@ export interface FeedState {
 export interface PlotFeed {
   readonly store: StoreApi<FeedState>;
   /** Ask for this, unless it is known already or `anew`. Null: nothing is wanted, and all is forgotten. */
-  readonly want: (wanted: Wanted | null, anew?: boolean) => void;
+  readonly want: (wanted: PlotRequest | null, anew?: boolean) => void;
   /** Ask again after a failure. */
   readonly retry: () => void;
 }
@@ -60,7 +60,7 @@ export function isThere(topics: readonly FlightTopic[], name: string): boolean {
 /** Asks for the signals of one flight. At most one question is under way; of those that wait only the newest counts. */
 export function createPlotFeed(rest: Gateway): PlotFeed {
   const store = createStore<FeedState>(() => NOTHING);
-  let wanted: Wanted | null = null;
+  let wanted: PlotRequest | null = null;
   let asked = "";
   let isBusy = false;
   let isAnew = false;
@@ -77,7 +77,7 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
     isBusy = false;
   }
 
-  async function answer(question: Wanted): Promise<void> {
+  async function answer(question: PlotRequest): Promise<void> {
     const { flight, shift_s } = question;
     store.setState({ isLoading: true });
     const failed = (message: Message): void => {
@@ -119,19 +119,19 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
   }
 
   /** What the flight has; null if it must be asked: anew when something is missing, for a flight under way gets more. */
-  function knownTopics({ names }: Wanted): readonly FlightTopic[] | null {
+  function knownTopics({ names }: PlotRequest): readonly FlightTopic[] | null {
     const { topics } = store.getState();
     const isNews = isAnew;
     isAnew = false;
     return topics !== null && (!isNews || names.every((name) => isThere(topics, name))) ? topics : null;
   }
 
-  async function topicsFor({ flight }: Wanted) {
+  async function topicsFor({ flight }: PlotRequest) {
     const answer = await rest.ask("GET", `/api/v1/flights/${flight}/topics`, isFlightTopics);
     return answer.ok ? ({ ok: true, value: answer.value.topics } as const) : answer;
   }
 
-  function want(next: Wanted | null, anew = false): void {
+  function want(next: PlotRequest | null, anew = false): void {
     if (next?.flight !== wanted?.flight) {
       store.setState({ ...NOTHING, flight: next?.flight ?? null });
       asked = "";
@@ -154,11 +154,11 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
   };
 }
 
-function keyOf({ flight, names, from_s, to_s, points, shift_s }: Wanted): string {
+function keyOf({ flight, names, from_s, to_s, points, shift_s }: PlotRequest): string {
   return [flight, from_s, to_s, points, shift_s, ...names].join(" ");
 }
 
-function pathOf({ flight, from_s, to_s, points, shift_s }: Wanted, names: readonly string[]): string {
+function pathOf({ flight, from_s, to_s, points, shift_s }: PlotRequest, names: readonly string[]): string {
   const first_s = Math.max(0, from_s + shift_s);
   const query = new URLSearchParams({
     names: names.join(","),

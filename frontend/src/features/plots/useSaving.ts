@@ -9,7 +9,7 @@ import { PLOTS } from "./plots";
 import { formatAt, stretchOf } from "./plotView";
 import { edgeOf } from "./useAsking";
 
-interface Saving {
+interface SaveState {
   readonly saveCsv: () => void;
   readonly savePng: () => void;
   readonly isPngFailed: boolean;
@@ -20,7 +20,7 @@ export function useSaving(
   charts: RefObject<Map<number, PaneHandle>>,
   subject: string | null,
   otherName: string | null,
-): Saving {
+): SaveState {
   const { telemetry, pump, saveFile } = usePage();
   const plots = usePart(PLOTS);
   const [isPngFailed, setPngFailed] = useState(false);

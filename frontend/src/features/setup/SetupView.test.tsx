@@ -2,7 +2,7 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
-import { type Asked, Station } from "../../test/station";
+import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
 let station: Station;
@@ -20,7 +20,7 @@ function simulator(): HTMLElement {
   return screen.getByRole("region", { name: "XPlane" });
 }
 
-function newest(method: string): Asked {
+function newest(method: string): FakeRequest {
   const asked = station.asked
     .filter((question) => question.method === method && /^\/api\/v1\/(links|ports)/.test(question.path))
     .at(-1);

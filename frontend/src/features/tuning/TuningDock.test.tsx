@@ -1,7 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
 import { PARAMETERS } from "../../protocol/messages.gen";
-import { type Known, openPage, row, station, user, writes } from "../../test/params";
+import { type GainStates, openPage, row, station, user, writes } from "../../test/params";
 
 const PITCH = PARAMETERS.find(({ name }) => name === "k_pitch")?.default ?? null;
 
@@ -27,7 +27,7 @@ describe("the tuning view", () => {
     await user.click(within(row("k_roll")).getByRole("button", { name: "Ajustar k_roll con gráfica" }));
     station.show();
     const told = () => within(dock()).getByRole("figure").textContent;
-    const tell = (parameters: Known): void =>
+    const tell = (parameters: GainStates): void =>
       station.deliver({ type: "event", event: "parameter", t_s: 1, data: { parameters } });
     const held = { loaded: 2, state: "confirmed" } as const;
     tell({ k_roll: { ...held, value: 2.5 } });

@@ -6,7 +6,7 @@ import { polar, reach, type Scale, scaleAngle_deg, series, tickPath } from "../d
 export type VerticalSpeedUnit = "ftPerMin" | "mPerS";
 
 /** The scale: its end in both directions, the steps of its marks, and the unit of a numeral. */
-interface Engraving {
+interface ScaleMarks {
   readonly end: number;
   readonly major: number;
   readonly middle: number;
@@ -18,7 +18,7 @@ interface Engraving {
  * Zero at nine o'clock, climb over the top, descent below; a gap remains between the ends. It is painted in feet per
  * minute, whatever unit is on its face.
  */
-function face(unit: VerticalSpeedUnit, { end, major, middle, minor, numeral }: Engraving): PointerGeometry {
+function face(unit: VerticalSpeedUnit, { end, major, middle, minor, numeral }: ScaleMarks): PointerGeometry {
   const scale: Scale = { minimum: -end, maximum: end, start_deg: -255, sweep_deg: 330 };
   const angle_deg = (engraved: number): number => scaleAngle_deg(scale, engraved);
   const shown = (vertical_speed_ft_min: number): number =>

@@ -1,5 +1,5 @@
 import type { TrackBlock } from "./block";
-import { type Thinned, thin } from "./thinning";
+import { thin, type WeightedBlock } from "./thinning";
 import type { TrackPoints } from "./trackPoints";
 
 /**
@@ -8,8 +8,8 @@ import type { TrackPoints } from "./trackPoints";
  */
 export class ThinnedTrack {
   readonly #points: TrackPoints;
-  readonly #made = new WeakMap<TrackBlock, Thinned>();
-  #blocks: readonly Thinned[] = [];
+  readonly #made = new WeakMap<TrackBlock, WeightedBlock>();
+  #blocks: readonly WeightedBlock[] = [];
   #revision = -1;
   #isComplete = false;
 
@@ -18,7 +18,7 @@ export class ThinnedTrack {
   }
 
   /** In order of time without a gap: the newest of the complete blocks. */
-  get blocks(): readonly Thinned[] {
+  get blocks(): readonly WeightedBlock[] {
     return this.#blocks;
   }
 
@@ -34,7 +34,7 @@ export class ThinnedTrack {
     this.#revision = this.#points.revision;
     const { blocks } = this.#points;
     const complete = blocks.length - (blocks.at(-1)?.isFull === false ? 1 : 0);
-    const found: Thinned[] = [];
+    const found: WeightedBlock[] = [];
     let at = complete - 1;
     for (; at >= 0; at -= 1) {
       const block = blocks[at];
@@ -51,7 +51,7 @@ export class ThinnedTrack {
     return !isSame;
   }
 
-  #make(block: TrackBlock): Thinned {
+  #make(block: TrackBlock): WeightedBlock {
     const made = thin(block);
     this.#made.set(block, made);
     return made;

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { writeEcef } from "../ecef";
 import { DEGREES_PER_UNIT, METRES_PER_UNIT, type TrackBlock } from "./block";
 import { ThinnedTrack } from "./thinnedTrack";
-import { kept, type Thinned } from "./thinning";
+import { kept, type WeightedBlock } from "./thinning";
 import { TrackPoints } from "./trackPoints";
 
 /** Circles, climbs and a straight leg, with the noise of a receiver. */
@@ -50,7 +50,7 @@ function strays_m(a: Float64Array, b: Float64Array, p: Float64Array): number {
   return nearest;
 }
 
-function worst_m({ block }: Thinned, offsets: readonly number[]): number {
+function worst_m({ block }: WeightedBlock, offsets: readonly number[]): number {
   let worst = 0;
   for (let at = 0; at + 1 < offsets.length; at += 1) {
     const [first, last] = [offsets[at] ?? 0, offsets[at + 1] ?? 0];
@@ -62,7 +62,7 @@ function worst_m({ block }: Thinned, offsets: readonly number[]): number {
   return worst;
 }
 
-function thinned(points: TrackPoints): readonly Thinned[] {
+function thinned(points: TrackPoints): readonly WeightedBlock[] {
   const track = new ThinnedTrack(points);
   track.refresh(() => false);
   return track.blocks;

@@ -6,7 +6,7 @@ const METRES_PER_MPS = 20;
 const UNSEEN_MPS = 0.5;
 
 /** A complete block with the weight of each of its points, from which every level of detail follows. */
-export interface Thinned {
+export interface WeightedBlock {
   readonly block: TrackBlock;
   /**
    * `keep_m[i]`: point i is needed if the line may deviate less than this from the flown one. The points with `keep_m
@@ -27,7 +27,7 @@ const COARSE_M = 1;
 const places = new Float64Array(3 * BLOCK_POINTS);
 
 /** Takes some tenths of a millisecond: 1,024 points in about ten rounds. */
-export function thin(block: TrackBlock): Thinned {
+export function thin(block: TrackBlock): WeightedBlock {
   writePlaces(block);
   const keep_m = new Float32Array(block.count);
   const bounds = [0, ...block.starts.filter((start) => start > 0), block.count];
@@ -51,7 +51,7 @@ function pieces(count: number): Float32Array {
 }
 
 /** Offsets of the points of a line within `tolerance_m` of the flown one. */
-export function kept({ keep_m }: Thinned, tolerance_m: number): number[] {
+export function kept({ keep_m }: WeightedBlock, tolerance_m: number): number[] {
   const offsets: number[] = [];
   for (let offset = 0; offset < keep_m.length; offset += 1) {
     if ((keep_m[offset] ?? 0) > tolerance_m) {
@@ -133,7 +133,7 @@ function writePlaces({ count, latitude_e7, longitude_e7, altitude_mm }: TrackBlo
 }
 
 /** A sphere that holds the points from the first index up to the second. */
-function ball(first: number, end: number): Pick<Thinned, "centre" | "radius_m"> {
+function ball(first: number, end: number): Pick<WeightedBlock, "centre" | "radius_m"> {
   const least = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
   const most = [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (let index = 3 * first; index < 3 * end; index += 1) {

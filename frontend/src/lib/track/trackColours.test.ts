@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { colourOf, rangeOf, rgb, SCALES, UNKNOWN_COLOUR } from "./trackColours";
-import type { Spread, TrackPoints } from "./trackPoints";
+import type { TrackPoints, ValueRange } from "./trackPoints";
 
-function track(altitude_m: Spread | null, climb_mps: Spread | null = null): TrackPoints {
+function track(altitude_m: ValueRange | null, climb_mps: ValueRange | null = null): TrackPoints {
   return { altitude_m, climb_mps, speed_mps: null } as TrackPoints;
 }
 

@@ -1,4 +1,4 @@
-import type { Spread, TrackPoints } from "./trackPoints";
+import type { TrackPoints, ValueRange } from "./trackPoints";
 
 /** The value that colours a track. */
 export const COLOURINGS = ["none", "height", "speed", "climb"] as const;
@@ -70,7 +70,7 @@ export function rangeOf(
   return { least: least < 0 ? -roundUp(-least) : 0, most: roundUp(most) };
 }
 
-function spreadOf(colouring: Exclude<Colouring, "none">, points: TrackPoints): Spread | null {
+function spreadOf(colouring: Exclude<Colouring, "none">, points: TrackPoints): ValueRange | null {
   return { height: points.altitude_m, speed: points.speed_mps, climb: points.climb_mps }[colouring];
 }
 

@@ -21,7 +21,7 @@ const WINDOW_S = 1.5;
 const LEAST_WINDOW_S = 0.5;
 
 /** The least and greatest of a track's values; null if there is none. */
-export interface Spread {
+export interface ValueRange {
   readonly least: number;
   readonly most: number;
 }
@@ -44,9 +44,9 @@ export class TrackPoints {
   readonly #maxBlocks: number;
   /** Index of the first point in the window of the newest point's speed. */
   #window = 0;
-  #altitude: Spread | null = null;
-  #speed: Spread | null = null;
-  #climb: Spread | null = null;
+  #altitude: ValueRange | null = null;
+  #speed: ValueRange | null = null;
+  #climb: ValueRange | null = null;
 
   constructor(maxBlocks = MAX_BLOCKS) {
     this.#maxBlocks = maxBlocks;
@@ -66,15 +66,15 @@ export class TrackPoints {
     return this.#revision;
   }
 
-  get altitude_m(): Spread | null {
+  get altitude_m(): ValueRange | null {
     return this.#altitude;
   }
 
-  get speed_mps(): Spread | null {
+  get speed_mps(): ValueRange | null {
     return this.#speed;
   }
 
-  get climb_mps(): Spread | null {
+  get climb_mps(): ValueRange | null {
     return this.#climb;
   }
 
@@ -171,7 +171,7 @@ export class TrackPoints {
   }
 }
 
-function widened(spread: Spread | null, value: number): Spread {
+function widened(spread: ValueRange | null, value: number): ValueRange {
   if (spread === null) {
     return { least: value, most: value };
   }

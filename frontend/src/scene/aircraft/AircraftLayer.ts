@@ -10,7 +10,7 @@ import { gltfAddress } from "./gltf";
 import { modelMatrix, type Place, type Pose, poseOf } from "./pose";
 
 /** An aircraft as it is drawn in one picture. */
-export interface AircraftSeen {
+export interface AircraftPose {
   readonly place: Place;
   /** The time of its position, seconds of the gateway's clock. */
   readonly t_s: number;
@@ -22,9 +22,9 @@ export interface AircraftSeen {
   readonly label: string;
 }
 
-export type AllSeen = Readonly<Record<Aircraft, AircraftSeen | null>>;
+export type AircraftPoses = Readonly<Record<Aircraft, AircraftPose | null>>;
 /** What to draw in a picture; null: not drawn. */
-export type AircraftFeed = (now_ms: number) => AllSeen;
+export type AircraftFeed = (now_ms: number) => AircraftPoses;
 
 const GHOST = 0.32;
 /** From afar it is drawn larger, to stay visible. */
@@ -42,7 +42,7 @@ export class AircraftLayer {
   readonly #drawn: Readonly<Record<Aircraft, DrawnAircraft>>;
   readonly #endPictures: () => void;
   #feed: AircraftFeed | null = null;
-  #seen: AllSeen = { flight: null, hil: null };
+  #seen: AircraftPoses = { flight: null, hil: null };
   #within: Aircraft | null = null;
 
   constructor(globe: Globe) {
@@ -66,7 +66,7 @@ export class AircraftLayer {
   }
 
   /** The aircraft as it is drawn now. */
-  seen(aircraft: Aircraft): AircraftSeen | null {
+  seen(aircraft: Aircraft): AircraftPose | null {
     return this.#seen[aircraft];
   }
 
@@ -113,7 +113,7 @@ class DrawnAircraft {
   }
 
   /** Returns whether anything visible has changed. */
-  show(seen: AircraftSeen | null, isWithin: boolean): boolean {
+  show(seen: AircraftPose | null, isWithin: boolean): boolean {
     const shown = seen === null ? "" : `${seen.label}|${seen.isLive}|${seen.attitude === null}|${isWithin}`;
     const isOther = shown !== this.#shown;
     this.#shown = shown;
@@ -132,7 +132,7 @@ class DrawnAircraft {
     return this.#place(pose) || isOther;
   }
 
-  #named(seen: AircraftSeen): Omit<SpaceText, "position"> {
+  #named(seen: AircraftPose): Omit<SpaceText, "position"> {
     return {
       key: `aircraft ${this.#aircraft}`,
       text: seen.attitude === null ? `✕ ${seen.label}` : seen.label,
@@ -144,7 +144,7 @@ class DrawnAircraft {
     };
   }
 
-  #dress(seen: AircraftSeen): void {
+  #dress(seen: AircraftPose): void {
     if (this.#model !== null) {
       this.#model.color = this.#colour.withAlpha(seen.isLive ? 1 : GHOST);
     }

@@ -11,7 +11,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Aircraft } from "../../lib/aircraft";
 import type { FullAttitude } from "../../lib/attitude";
 import type { Globe } from "../globe/Globe";
-import type { AircraftLayer, AircraftSeen } from "./AircraftLayer";
+import type { AircraftLayer, AircraftPose } from "./AircraftLayer";
 import { CameraRig } from "./CameraRig";
 
 const GANDO = { latitude_deg: 27.93, longitude_deg: -15.387, altitude_m: 305 };
@@ -21,7 +21,7 @@ function level(yaw_deg: number): FullAttitude {
   return { yaw_deg, pitch_deg: 0, roll_deg: 0 };
 }
 
-function flying(attitude: FullAttitude | null, place = GANDO): AircraftSeen {
+function flying(attitude: FullAttitude | null, place = GANDO): AircraftPose {
   return { place, t_s: 0, attitude, isLive: true, label: "EPF" };
 }
 
@@ -30,7 +30,7 @@ class Sky {
   readonly scene: Scene;
   readonly camera: Camera;
   readonly controls = { enableInputs: true };
-  readonly seen: Record<Aircraft, AircraftSeen | null> = { flight: null, hil: null };
+  readonly seen: Record<Aircraft, AircraftPose | null> = { flight: null, hil: null };
   within: Aircraft | null = null;
   asked = 0;
   #picture: ((now_ms: number) => void) | null = null;

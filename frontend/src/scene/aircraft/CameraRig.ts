@@ -11,7 +11,7 @@ import type { Aircraft } from "../../lib/aircraft";
 import { wrap180 } from "../../lib/angles";
 import type { CameraMode } from "../../lib/mapCamera";
 import type { Globe } from "../globe/Globe";
-import type { AircraftLayer, AircraftSeen } from "./AircraftLayer";
+import type { AircraftLayer, AircraftPose } from "./AircraftLayer";
 import { poseOf } from "./pose";
 
 /** Distance and slope of the view from behind and above, until the user turns it. */
@@ -123,7 +123,7 @@ export class CameraRig {
     this.#moved_ms = now_ms;
   }
 
-  #follow(seen: AircraftSeen, now_ms: number): void {
+  #follow(seen: AircraftPose, now_ms: number): void {
     const { camera } = this.#globe.scene;
     this.#turnAfter(seen, (now_ms - this.#moved_ms) / 1000);
     const { latitude_deg, longitude_deg, altitude_m } = seen.place;
@@ -147,7 +147,7 @@ export class CameraRig {
     }
   }
 
-  #turnAfter({ attitude }: AircraftSeen, passed_s: number): void {
+  #turnAfter({ attitude }: AircraftPose, passed_s: number): void {
     if (attitude === null) {
       return;
     }
@@ -157,7 +157,7 @@ export class CameraRig {
       this.#heading_deg === null ? attitude.yaw_deg : this.#heading_deg + share * behind_deg;
   }
 
-  #sitIn({ place, attitude }: AircraftSeen): void {
+  #sitIn({ place, attitude }: AircraftPose): void {
     if (attitude === null) {
       return;
     }

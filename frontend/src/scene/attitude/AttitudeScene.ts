@@ -29,7 +29,7 @@ export interface SceneWords extends CompassWords {
 }
 
 /** The visible parts. */
-export interface Shown {
+export interface VisibleParts {
   readonly ghost: boolean;
   readonly bodyAxes: boolean;
   readonly worldAxes: boolean;
@@ -69,7 +69,7 @@ export class AttitudeScene implements Act {
   readonly #acceleration = new Arrow({ width: 0.026, labelHeight: 0.24 });
   readonly #field = new Arrow({ width: 0.026, labelHeight: 0.24 });
   readonly #zero = new Label(0.26);
-  #shown: Shown = { ghost: true, bodyAxes: true, worldAxes: true, vectors: true };
+  #shown: VisibleParts = { ghost: true, bodyAxes: true, worldAxes: true, vectors: true };
   #vectors: { acceleration_m_s2: Vector | null; field: Vector | null } = {
     acceleration_m_s2: null,
     field: null,
@@ -131,7 +131,7 @@ export class AttitudeScene implements Act {
     this.#world.rotation.y = ((zero_deg ?? 0) * Math.PI) / 180;
   }
 
-  setShown(shown: Shown): void {
+  setShown(shown: VisibleParts): void {
     this.#shown = shown;
   }
 

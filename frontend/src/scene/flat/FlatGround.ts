@@ -9,7 +9,7 @@ const MOST_TILES = 160;
 const MOST_ABOVE = 5;
 const DEEPEST = 19;
 
-interface Kept {
+interface TileEntry {
   picture: ImageBitmap | null;
 }
 
@@ -18,7 +18,7 @@ export class FlatGround {
   readonly #world: World;
   readonly #onNews: () => void;
   /** In the order in which they were last seen. */
-  readonly #tiles = new Map<string, Kept>();
+  readonly #tiles = new Map<string, TileEntry>();
   #light: Light = "day";
 
   constructor(world: World, onNews: () => void) {
@@ -93,7 +93,7 @@ export class FlatGround {
       this.#tiles.set(key, known);
       return;
     }
-    const kept: Kept = { picture: null };
+    const kept: TileEntry = { picture: null };
     this.#tiles.set(key, kept);
     this.#world
       .ask<"tile">({

@@ -9,14 +9,14 @@ const GANDO = { latitude_deg: 27.93, longitude_deg: -15.38 };
 const VIEW: FlatView = { centre: GANDO, zoom: 14, width_px: 800, height_px: 600 };
 const LOOK: FlatTrackLook = { plain: "#ffd91a", casing: "#12100a", colouring: "none", range: null };
 
-interface Drawn {
+interface LineStroke {
   readonly colour: string;
   readonly points: readonly ScreenPoint[];
 }
 
 /** What a track draws when all of it is made, stroke by stroke, without the dark edge below it. */
-function drawn(track: FlatTrack, view: FlatView, look = LOOK): readonly Drawn[] {
-  const strokes: Drawn[] = [];
+function drawn(track: FlatTrack, view: FlatView, look = LOOK): readonly LineStroke[] {
+  const strokes: LineStroke[] = [];
   let points: ScreenPoint[] = [];
   const context = {
     strokeStyle: "",

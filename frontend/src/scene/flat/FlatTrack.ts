@@ -1,6 +1,6 @@
 import { DEGREES_PER_UNIT, METRES_PER_UNIT, type TrackBlock } from "../../lib/track/block";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
-import { kept, type Thinned } from "../../lib/track/thinning";
+import { kept, type WeightedBlock } from "../../lib/track/thinning";
 import { type Colouring, colourOf, type Range, SCALES } from "../../lib/track/trackColours";
 import type { TrackPoints } from "../../lib/track/trackPoints";
 import { type Box, boxOf, overlaps } from "../world/geometry";
@@ -31,7 +31,7 @@ const SHADES = 24;
 export class FlatTrack {
   readonly #points: TrackPoints;
   readonly #thinned: ThinnedTrack;
-  readonly #chosen = new WeakMap<Thinned, Chosen>();
+  readonly #chosen = new WeakMap<WeightedBlock, Chosen>();
   readonly #boxes = new WeakMap<TrackBlock, Box>();
   #revision = -1;
 
@@ -115,7 +115,7 @@ export class FlatTrack {
     return box;
   }
 
-  #offsets(block: Thinned, level: number): readonly number[] {
+  #offsets(block: WeightedBlock, level: number): readonly number[] {
     const known = this.#chosen.get(block);
     if (known?.level === level) {
       return known.offsets;

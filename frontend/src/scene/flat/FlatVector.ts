@@ -17,7 +17,7 @@ const INK: Readonly<Record<Light, Readonly<Record<"road" | "water", string>>>> =
 const FONT = '500 11px "Inter Variable", system-ui, sans-serif';
 const NAMES_FROM_ZOOM = 11;
 
-interface Kept {
+interface VectorEntry {
   drawn: DrawnVector | null;
 }
 
@@ -31,7 +31,7 @@ interface Spot {
 export class FlatVector {
   readonly #world: () => World;
   readonly #onNews: () => void;
-  readonly #tiles = new Map<string, Kept>();
+  readonly #tiles = new Map<string, VectorEntry>();
   #names: ShownText[] = [];
 
   constructor(world: () => World, onNews: () => void) {
@@ -78,7 +78,13 @@ export class FlatVector {
     this.#forget(0);
   }
 
-  #drawTile(context: CanvasRenderingContext2D, { drawn }: Kept, at: Spot, zoom: number, light: Light): void {
+  #drawTile(
+    context: CanvasRenderingContext2D,
+    { drawn }: VectorEntry,
+    at: Spot,
+    zoom: number,
+    light: Light,
+  ): void {
     if (drawn === null) {
       return;
     }
@@ -100,7 +106,7 @@ export class FlatVector {
     }
   }
 
-  #tile(layer: FlatLayer, zoom: number, x: number, y: number, light: Light): Kept {
+  #tile(layer: FlatLayer, zoom: number, x: number, y: number, light: Light): VectorEntry {
     const key = `${light} ${layer.url} ${zoom}/${x}/${y}`;
     const known = this.#tiles.get(key);
     if (known !== undefined) {
@@ -108,7 +114,7 @@ export class FlatVector {
       this.#tiles.set(key, known);
       return known;
     }
-    const kept: Kept = { drawn: null };
+    const kept: VectorEntry = { drawn: null };
     this.#tiles.set(key, kept);
     const { url, part } = sourceOf(layer.url, layer.maximum_zoom, zoom, x, y);
     this.#world()

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { type Horizon, hazeAt, horizonThrough, paintHaze, paintSky } from "./sky";
 
-interface Painted {
+interface SkyStroke {
   readonly kind: "circle" | "straight" | "plain";
   /** As the canvas was given them. */
   readonly ends: readonly number[];
@@ -12,8 +12,8 @@ interface Painted {
 
 /** A picture that remembers with what it was filled. */
 function picture(width = 800, height = 600) {
-  const painted: Painted[] = [];
-  const gradient = (kind: Painted["kind"], ends: readonly number[]) => {
+  const painted: SkyStroke[] = [];
+  const gradient = (kind: SkyStroke["kind"], ends: readonly number[]) => {
     const stops: [number, string][] = [];
     return {
       kind,
@@ -42,7 +42,7 @@ function picture(width = 800, height = 600) {
       );
     },
   };
-  const only = (): Painted => {
+  const only = (): SkyStroke => {
     expect(painted).toHaveLength(1);
     const [one] = painted;
     if (one === undefined) {
@@ -151,7 +151,7 @@ describe("the sky", () => {
 });
 
 describe("the haze", () => {
-  function shares(painted: Painted): number[] {
+  function shares(painted: SkyStroke): number[] {
     return painted.stops.map(([, colour]) => Number(/([\d.]+)%/.exec(colour)?.[1]));
   }
 

@@ -2,7 +2,7 @@ import type { LabelBox } from "../../lib/labels";
 import { EDGE } from "../colours";
 
 /** What a text's picture depends on. */
-interface Lettered {
+interface TextLook {
   readonly text: string;
   readonly font: string;
   readonly colour: string;
@@ -25,12 +25,12 @@ export class TextSprites {
   #ratio = 1;
 
   /** Width and height in CSS pixels, outline included; `ratio`: device pixels of one. */
-  sizeOf(text: Lettered, ratio: number): { readonly width: number; readonly height: number } {
+  sizeOf(text: TextLook, ratio: number): { readonly width: number; readonly height: number } {
     this.#ratio = ratio;
     return this.#sprite(text);
   }
 
-  draw(context: CanvasRenderingContext2D, text: Lettered, { left, top }: LabelBox): void {
+  draw(context: CanvasRenderingContext2D, text: TextLook, { left, top }: LabelBox): void {
     const { canvas, width, height } = this.#sprite(text);
     // On whole pixels, or the letters blur.
     const x = Math.round(left * this.#ratio) / this.#ratio;
@@ -38,7 +38,7 @@ export class TextSprites {
     context.drawImage(canvas, x, y, width, height);
   }
 
-  #sprite(text: Lettered): Sprite {
+  #sprite(text: TextLook): Sprite {
     const key = `${text.font}|${text.colour}|${text.text}`;
     const known = this.#sprites.get(key);
     if (known !== undefined) {
@@ -56,7 +56,7 @@ export class TextSprites {
   }
 }
 
-function painted({ text, font, colour }: Lettered, ratio: number): Sprite {
+function painted({ text, font, colour }: TextLook, ratio: number): Sprite {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d");
   if (context === null) {

@@ -29,7 +29,7 @@ const REACH_PX = 14;
 /** Heights of so many things are looked up for each picture. */
 const HEIGHTS_A_PICTURE = 6;
 
-interface Placed {
+interface PlacedName {
   readonly thing: NamedThing;
   position: Cartesian3;
 }
@@ -39,7 +39,7 @@ export class GlobeNames {
   readonly #globe: Globe;
   readonly #names: NamedThings;
   readonly #ends: readonly (() => void)[];
-  #placed: readonly Placed[] = [];
+  #placed: readonly PlacedName[] = [];
   #light: Light = "day";
   #countries: CountryNames = (code) => code;
   #graticule: CompassLetters | null = null;

@@ -122,7 +122,7 @@ const PIECE = 512;
 const piece = new Float32Array(PIECE * CORNERS * POINT_FLOATS);
 
 /** How one part is drawn, with one command per stretch, reused in the next picture. */
-interface Drawing {
+interface PartDrawing {
   readonly program: ShaderProgram;
   readonly uniformMap: Uniforms;
   readonly renderState: RenderState;
@@ -135,7 +135,7 @@ class Parts {
   readonly points: Buffer;
   readonly #sphere: BoundingSphere;
   readonly #vertexArray: VertexArray;
-  readonly #drawings: Readonly<Record<RibbonPart, Drawing | null>>;
+  readonly #drawings: Readonly<Record<RibbonPart, PartDrawing | null>>;
 
   constructor(context: RendererContext, capacity: number, style: RibbonStyle, sphere: BoundingSphere) {
     this.capacity = capacity;

@@ -4,7 +4,7 @@ import { BROWSER_TIMERS } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import { METRES_PER_UNIT } from "../../lib/track/block";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
-import type { Thinned } from "../../lib/track/thinning";
+import type { WeightedBlock } from "../../lib/track/thinning";
 import {
   COLOURINGS,
   type Colouring,
@@ -206,10 +206,10 @@ class DrawnTrack {
   readonly #body: TrackBody;
   readonly #tail: TrackTail;
   readonly #ribbons: { readonly body: Ribbon; readonly tail: Ribbon };
-  readonly #made = new WeakMap<Thinned, BoundingSphere>();
+  readonly #made = new WeakMap<WeightedBlock, BoundingSphere>();
   /** The spheres of these blocks, in their order. */
   #balls: readonly BoundingSphere[] = [];
-  #enclosed: readonly Thinned[] = [];
+  #enclosed: readonly WeightedBlock[] = [];
   readonly #spheres = { body: new BoundingSphere(), tail: new BoundingSphere() };
 
   constructor(points: TrackPoints, kind: TrackKind, look: () => TrackLook) {
@@ -286,7 +286,7 @@ class DrawnTrack {
     this.#ribbons.tail.destroy();
   }
 
-  #ballOf(thinned: Thinned): BoundingSphere {
+  #ballOf(thinned: WeightedBlock): BoundingSphere {
     const made = this.#made.get(thinned);
     if (made !== undefined) {
       return made;

@@ -1,5 +1,5 @@
 import type { ThinnedTrack } from "../../lib/track/thinnedTrack";
-import { PIECE_POINTS, type Thinned } from "../../lib/track/thinning";
+import { PIECE_POINTS, type WeightedBlock } from "../../lib/track/thinning";
 import { POINT_FLOATS } from "../ribbon/vertices";
 import { writePoint } from "./writePoint";
 
@@ -40,8 +40,8 @@ interface Chosen {
  */
 export class TrackBody {
   readonly #track: ThinnedTrack;
-  readonly #chosen = new WeakMap<Thinned, Chosen>();
-  #blocks: readonly Thinned[] = [];
+  readonly #chosen = new WeakMap<WeightedBlock, Chosen>();
+  #blocks: readonly WeightedBlock[] = [];
   #vertices = new Float32Array(0);
   #count = 0;
   #starts: readonly number[] = [];
@@ -83,7 +83,7 @@ export class TrackBody {
   }
 
   /** The blocks of the line, in order. */
-  get blocks(): readonly Thinned[] {
+  get blocks(): readonly WeightedBlock[] {
     return this.#blocks;
   }
 
@@ -146,7 +146,7 @@ export class TrackBody {
   }
 
   /** Looks from this camera: the blocks with a wrong level. Most are too far away for its last steps to matter. */
-  #wrong(eye: Eye, isOther: boolean): readonly Thinned[] {
+  #wrong(eye: Eye, isOther: boolean): readonly WeightedBlock[] {
     const last = this.#eye ?? eye;
     this.#eye = eye;
     this.#waited = 0;
@@ -171,7 +171,7 @@ export class TrackBody {
    * level, too fine only by two: a camera that moves back and forth must not change it each time. `slack`: levels by
    * which it may be wrong.
    */
-  #room_m(block: Thinned, eye: Eye, slack: number): number {
+  #room_m(block: WeightedBlock, eye: Eye, slack: number): number {
     const chosen = this.#chosen.get(block);
     if (chosen === undefined) {
       return Number.NEGATIVE_INFINITY;
@@ -190,7 +190,7 @@ export class TrackBody {
     this.#take(this.#blocks, eye);
   }
 
-  #take(blocks: readonly Thinned[], eye: Eye, isEnough: () => boolean = () => false): void {
+  #take(blocks: readonly WeightedBlock[], eye: Eye, isEnough: () => boolean = () => false): void {
     let taken = 0;
     for (const block of blocks) {
       // At least one per picture, or it would never end.
@@ -210,7 +210,7 @@ export class TrackBody {
     }
   }
 
-  #pointsOf(block: Thinned): number {
+  #pointsOf(block: WeightedBlock): number {
     return (this.#chosen.get(block)?.vertices.length ?? 0) / POINT_FLOATS;
   }
 
@@ -259,19 +259,19 @@ function reach_m(level: number, { stray_rad }: Eye): number {
 }
 
 /** From the camera to the nearest point of a piece; negative inside its sphere. */
-function nearest_m({ pieces_m }: Thinned, piece: number, { x, y, z }: Eye): number {
+function nearest_m({ pieces_m }: WeightedBlock, piece: number, { x, y, z }: Eye): number {
   const part = (axis: number): number => pieces_m[4 * piece + axis] ?? 0;
   return Math.hypot(part(0) - x, part(1) - y, part(2) - z) - part(3);
 }
 
 /** The coarsest level whose error is invisible at the nearest point of a piece. */
-function pieceLevel(block: Thinned, piece: number, eye: Eye): number {
+function pieceLevel(block: WeightedBlock, piece: number, eye: Eye): number {
   const error_m = Math.max(0, nearest_m(block, piece, eye)) * eye.stray_rad;
   return Math.max(0, Math.min(COARSEST, Math.floor(Math.log2(error_m / FINEST_M))));
 }
 
 /** Where the level changes, the line passes through a flown point of both levels, so that there is no gap. */
-function verticesOf({ block, keep_m }: Thinned, levels: Int8Array): Float32Array {
+function verticesOf({ block, keep_m }: WeightedBlock, levels: Int8Array): Float32Array {
   const offsets: number[] = [];
   for (const [piece, level] of levels.entries()) {
     const begin = piece * PIECE_POINTS;

@@ -2,7 +2,7 @@ import type { Light } from "../look";
 import type { VectorFeature, VectorLayer } from "./vectorTile";
 
 /** What a feature is drawn as, whatever its source calls it. */
-type Drawn =
+type FeatureStyle =
   | "green"
   | "built"
   | "water"
@@ -14,7 +14,7 @@ type Drawn =
   | "road"
   | "motorway";
 
-const ORDER: readonly Drawn[] = [
+const ORDER: readonly FeatureStyle[] = [
   "green",
   "built",
   "water",
@@ -36,7 +36,7 @@ interface Ink {
   readonly dash?: readonly number[];
 }
 
-const INKS: Readonly<Record<Light, Readonly<Record<Drawn, Ink>>>> = {
+const INKS: Readonly<Record<Light, Readonly<Record<FeatureStyle, Ink>>>> = {
   day: {
     green: { fill: "rgb(70 120 60 / 25%)" },
     built: { fill: "rgb(120 110 100 / 25%)" },
@@ -64,7 +64,7 @@ const INKS: Readonly<Record<Light, Readonly<Record<Drawn, Ink>>>> = {
 };
 
 /** Names of OpenMapTiles, Protomaps and Shortbread. */
-const LAYERS: Readonly<Record<string, (feature: VectorFeature) => Drawn | null>> = {
+const LAYERS: Readonly<Record<string, (feature: VectorFeature) => FeatureStyle | null>> = {
   transportation: wayOf,
   roads: wayOf,
   streets: wayOf,
@@ -96,7 +96,7 @@ export function isDrawnLayer(name: string): boolean {
   return Object.hasOwn(LAYERS, name) || NAMED.has(name);
 }
 
-function wayOf({ tags }: VectorFeature): Drawn | null {
+function wayOf({ tags }: VectorFeature): FeatureStyle | null {
   const said = `${tags.get("class") ?? ""} ${tags.get("pmap:kind") ?? ""} ${tags.get("kind") ?? ""}`;
   if (/motorway|trunk|highway/.test(said)) return "motorway";
   if (/primary|secondary|major_road/.test(said)) return "road";
@@ -105,7 +105,7 @@ function wayOf({ tags }: VectorFeature): Drawn | null {
   return /ferry|aeroway|runway|taxiway/.test(said) ? null : "street";
 }
 
-function landOf({ tags }: VectorFeature): Drawn | null {
+function landOf({ tags }: VectorFeature): FeatureStyle | null {
   const said = `${tags.get("class") ?? ""} ${tags.get("pmap:kind") ?? ""} ${tags.get("kind") ?? ""}`;
   if (/wood|forest|grass|park|meadow|scrub|farm|orchard|vineyard|garden/.test(said)) return "green";
   return /residential|commercial|industrial|retail|urban/.test(said) ? "built" : null;
@@ -153,8 +153,8 @@ export function drawVector(
   }
 }
 
-function sortedOf(layers: readonly VectorLayer[]): ReadonlyMap<Drawn, readonly VectorFeature[]> {
-  const sorted = new Map<Drawn, VectorFeature[]>(ORDER.map((drawn) => [drawn, []]));
+function sortedOf(layers: readonly VectorLayer[]): ReadonlyMap<FeatureStyle, readonly VectorFeature[]> {
+  const sorted = new Map<FeatureStyle, VectorFeature[]>(ORDER.map((drawn) => [drawn, []]));
   for (const { name, features } of layers) {
     // A stranger's layer may be called like a property that every object has.
     const drawnAs = Object.hasOwn(LAYERS, name) ? LAYERS[name] : undefined;

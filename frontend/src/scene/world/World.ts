@@ -1,6 +1,6 @@
 import type { NumberedAnswer, NumberedQuestion, WorldAnswers, WorldQuestion } from "./messages";
 
-interface Waiting {
+interface PendingCell {
   readonly resolve: (answer: never) => void;
   readonly reject: (fault: Error) => void;
 }
@@ -8,7 +8,7 @@ interface Waiting {
 /** The map that ships with the page. Its worker is started with the first question, and lives as long as the page. */
 export class World {
   readonly #start: () => Worker;
-  readonly #waiting = new Map<number, Waiting>();
+  readonly #waiting = new Map<number, PendingCell>();
   #worker: Worker | null = null;
   #asked = 0;
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { type Drawn, DrawnContext, DrawnPath, type DrawnPoint } from "../../test/drawnContext";
+import { DrawnContext, DrawnPath, type DrawnPoint, type Stroke } from "../../test/drawnContext";
 import { GROUND } from "../look";
 import { type AirfieldAt, type Cell, type RunwayOf, SHAPE_UNITS, type Shapes } from "./cell";
 import { drawTile } from "./drawTile";
@@ -62,13 +62,13 @@ function drawn(
   at: TileFrame,
   opacity = 1,
   projection: Projection = "geographic",
-): Drawn[] {
+): Stroke[] {
   const context = new DrawnContext();
   drawTile(context as unknown as OffscreenCanvasRenderingContext2D, projection, at, cells, LOOK, opacity);
   return context.drawn;
 }
 
-function ofColour(all: readonly Drawn[], colour: string): readonly Drawn[] {
+function ofColour(all: readonly Stroke[], colour: string): readonly Stroke[] {
   return all.filter((one) => one.colour === colour);
 }
 

@@ -25,7 +25,7 @@ _RESULTS: Final = {
 }
 
 
-class Owed:
+class OutstandingAcknowledgements:
     """How many acknowledgements of each command type are still outstanding."""
 
     def __init__(self, steady_s: Callable[[], float]) -> None:
@@ -63,7 +63,7 @@ class AcknowledgementJudge:
     before the fence's acknowledgement is old. Where the board does not keep the order, the owed ones are counted.
     """
 
-    def __init__(self, command_id: int, owed: Owed) -> None:
+    def __init__(self, command_id: int, owed: OutstandingAcknowledgements) -> None:
         self._id = command_id
         self._owed = owed
         self._sendings = 0

@@ -12,7 +12,7 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.link.address import EMULATION, LinkAddress
 from epf_gcs.link.base import Link, LinkCallbacks, Tap
-from epf_gcs.link.kept_open import Handling, KeepsOpen, KeptOpen
+from epf_gcs.link.kept_open import KeepsOpen, KeptOpen, LinkHandlers
 from epf_gcs.link.open import open_link
 from epf_gcs.link.ports import find_identity, find_path
 from epf_gcs.vehicle.board import Board
@@ -42,7 +42,7 @@ class Supervisor(KeepsOpen[LinkAddress, Link]):
         self._locate: Callable[[str], str | None] = find_path
         self.identity: str | None = None
         self._kept = KeptOpen(
-            Handling(
+            LinkHandlers(
                 open=open_link,
                 begin=self._begin,
                 end=self._end,

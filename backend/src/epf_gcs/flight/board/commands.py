@@ -17,7 +17,7 @@ from epf_gcs.codec.values import Meaning
 from epf_gcs.contract.answers import CommandOutcome, CommandProof, CommandReason, CommandState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, GatewayError, LinkError
-from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, Owed
+from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, OutstandingAcknowledgements
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Line, Outlet
 from epf_gcs.vehicle.parameters import differing
@@ -38,7 +38,7 @@ Verdict = tuple[CommandState, CommandReason | None]
 Judge = Callable[[Frame, Meaning], Verdict | None]
 
 
-class _Sending(NamedTuple):
+class _PendingCommand(NamedTuple):
     """One command on its way, and how it is proved."""
 
     command: Message
@@ -63,7 +63,7 @@ class Commands:
         self._ids = count(1)
         # The newest command for each switch, by the heartbeat's flag.
         self._newest: dict[str, object] = {}
-        self._owed = Owed(clock.steady_s)
+        self._owed = OutstandingAcknowledgements(clock.steady_s)
         # Each command that waits for its proof, with the link it was sent on.
         self._waiting: dict[asyncio.Future[Verdict], Line | None] = {}
         # Set by the composition root; called after every command that was done.
@@ -154,7 +154,7 @@ class Commands:
             return CommandOutcome("timed_out", by, ms)
         return CommandOutcome(verdict[0], by, ms, verdict[1])
 
-    async def _attempt(self, sending: _Sending, *, is_first: bool) -> Verdict | None:
+    async def _attempt(self, sending: _PendingCommand, *, is_first: bool) -> Verdict | None:
         """Send once and wait. None if nothing proved it in time. Raises LinkError if the link is gone."""
         decided: asyncio.Future[Verdict] = self._loop.create_future()
 
@@ -175,7 +175,7 @@ class Commands:
         self._check_link(sending)
         return None
 
-    def _send_again(self, sending: _Sending, *, is_first: bool) -> None:
+    def _send_again(self, sending: _PendingCommand, *, is_first: bool) -> None:
         self._check_link(sending)
         acknowledgement = sending.acknowledgement
         if acknowledgement is not None and acknowledgement.is_fenced:
@@ -192,7 +192,7 @@ class Commands:
         if sending.proof == "read_back":
             self._board.write(encode_command("load_autopilot_parameters"))
 
-    def _check_link(self, sending: _Sending) -> None:
+    def _check_link(self, sending: _PendingCommand) -> None:
         if self._board.link is not sending.link:
             raise LinkError(
                 "command_link_lost",
@@ -210,16 +210,16 @@ class Commands:
                 command=command.name,
             )
 
-    def _sending(self, command: Message, arguments: tuple[float, ...], *, is_read_back: bool) -> _Sending | None:
+    def _sending(self, command: Message, arguments: tuple[float, ...], *, is_read_back: bool) -> _PendingCommand | None:
         """What will prove this command on this board; None if nothing can, or if the caller proves it."""
         frame, link = encode_command(command.name, *arguments), self._board.link
         if self._board.session.is_extended and self._board.capabilities().get("has_acknowledgements"):
             judge = AcknowledgementJudge(command.id, self._owed)
-            return _Sending(command, frame, link, "acknowledgement", _by_acknowledgement(judge), judge)
+            return _PendingCommand(command, frame, link, "acknowledgement", _by_acknowledgement(judge), judge)
         proof, seen = self._effect(command, arguments)
         if seen is None or (is_read_back and proof == "read_back"):
             return None
-        return _Sending(command, frame, link, proof, seen, None)
+        return _PendingCommand(command, frame, link, proof, seen, None)
 
     def _effect(self, command: Message, arguments: tuple[float, ...]) -> tuple[_Proof, Judge | None]:
         """How telemetry shows the effect of this command, for boards without acknowledgements."""

@@ -14,7 +14,7 @@ from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
 
-class Rearming:
+class Rearmer:
     """Never switches an autopilot on: it may have been switched off for a reason."""
 
     def __init__(

@@ -11,7 +11,7 @@ from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.link.base import Tap
-from epf_gcs.link.kept_open import Handling, KeepsOpen, KeptOpen
+from epf_gcs.link.kept_open import KeepsOpen, KeptOpen, LinkHandlers
 from epf_gcs.link.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp
 from epf_gcs.xplane.datagram import parse, release_datagram
 
@@ -74,7 +74,7 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
         self.last_stranger_s: float | None = None
         self.last_stranger: str | None = None
         self._kept = KeptOpen(
-            Handling(
+            LinkHandlers(
                 open=self._bind,
                 begin=self._begin,
                 end=self._end,

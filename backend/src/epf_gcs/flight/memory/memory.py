@@ -16,20 +16,20 @@ import orjson
 from epf_gcs.disk import replace_file, set_aside
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory.flight_log import say
-from epf_gcs.vehicle.wanted import Wanted
+from epf_gcs.vehicle.wanted import IntendedSettings
 
 _GATHER_S: Final = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Remembered:
+class FlightMemory:
     """Plain values, as they stand in the file."""
 
     board_url: str | None = None
     board_identity: str | None = None
     simulator: dict[str, Any] | None = None
     hil_path: str = "manual"
-    wanted: Wanted = field(default_factory=Wanted)
+    wanted: IntendedSettings = field(default_factory=IntendedSettings)
     thresholds: dict[str, Any] = field(default_factory=dict)
     # The policy of the disk, as `DiskPolicy` has it; empty for the default.
     recording: dict[str, Any] = field(default_factory=dict)
@@ -54,7 +54,7 @@ class Memory:
         self._loop = _running_loop()
         self._wake = threading.Condition()
         # Shared with the thread, under `_wake`.
-        self._to_write: Remembered | None = None
+        self._to_write: FlightMemory | None = None
         self._is_ending = False
         self._thread: threading.Thread | None = None
         self.now = self._load()
@@ -97,7 +97,7 @@ class Memory:
             if newest is not None:
                 self._write(newest)
 
-    def _write(self, values: Remembered) -> None:
+    def _write(self, values: FlightMemory) -> None:
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
             replace_file(self._path, _encode(values))
@@ -118,11 +118,11 @@ class Memory:
         with contextlib.suppress(RuntimeError):  # the event loop may be closed already
             self._loop.call_soon_threadsafe(self._report, failure)
 
-    def _load(self) -> Remembered:
+    def _load(self) -> FlightMemory:
         try:
             return _decode(orjson.loads(self._path.read_bytes()))
         except FileNotFoundError:
-            return Remembered()
+            return FlightMemory()
         except (OSError, ValueError, TypeError, KeyError, AttributeError) as error:
             why = error.strerror or str(error) if isinstance(error, OSError) else "its content makes no sense"
             kept = self._set_aside()
@@ -142,7 +142,7 @@ class Memory:
                     path=str(self._path),
                 )
             )
-            return Remembered()
+            return FlightMemory()
 
     def _set_aside(self) -> Path | None:
         """Keep an unreadable file under another name, for a person to look at. None if the disk refuses."""
@@ -159,7 +159,7 @@ def _running_loop() -> asyncio.AbstractEventLoop | None:
         return None
 
 
-def _encode(values: Remembered) -> bytes:
+def _encode(values: FlightMemory) -> bytes:
     return orjson.dumps(
         {
             "board_url": values.board_url,
@@ -178,14 +178,14 @@ def _encode(values: Remembered) -> bytes:
     )
 
 
-def _decode(values: dict[str, Any]) -> Remembered:
+def _decode(values: dict[str, Any]) -> FlightMemory:
     source = values["source"]
-    return Remembered(
+    return FlightMemory(
         board_url=_text(values["board_url"]),
         board_identity=_text(values["board_identity"]),
         simulator=dict(values["simulator"]) if values["simulator"] is not None else None,
         hil_path="assisted" if values["hil_path"] == "assisted" else "manual",
-        wanted=Wanted(
+        wanted=IntendedSettings(
             frozenset(str(stream) for stream in values["streams"]),
             {str(name): int(period) for name, period in values["periods_ms"].items()},
             None if source is None else int(source),

@@ -38,7 +38,7 @@ class BeyondRepairError(Exception):
 
 
 @dataclass
-class _Found:
+class _FileExtent:
     """What a file holds, up to its last whole record."""
 
     end: int
@@ -101,12 +101,12 @@ def _is_whole(file: BinaryIO, size: int) -> bool:
     return read.endswith(MAGIC) and _HEAD.unpack_from(read) == (Opcode.FOOTER, 20)
 
 
-def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Found | None:
+def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _FileExtent | None:
     """Find the last complete record. None if `is_over()` stopped the search."""
     file.seek(0)
     if file.read(len(MAGIC)) != MAGIC:
         raise BeyondRepairError("it does not begin as a recording")
-    found = _Found(end=len(MAGIC))
+    found = _FileExtent(end=len(MAGIC))
     count = 0
     while (head := file.read(_HEAD.size)) and len(head) == _HEAD.size:
         opcode, length = _HEAD.unpack(head)
@@ -131,7 +131,7 @@ def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Fo
     return found
 
 
-def _take(found: _Found, opcode: int, body: bytes) -> None:
+def _take(found: _FileExtent, opcode: int, body: bytes) -> None:
     if opcode == Opcode.MESSAGE:
         channel, _, time_ns, _ = _MESSAGE.unpack_from(body)
         found.tally.add(channel, time_ns)

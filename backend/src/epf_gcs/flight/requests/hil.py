@@ -8,7 +8,7 @@ from dataclasses import replace
 from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.bus.vehicle_end import Handlers
 from epf_gcs.contract.base import ControlSource, StickSource, SurfacePath
-from epf_gcs.contract.notices import ControlChanged, Notice, StickMoved, StickReleased
+from epf_gcs.contract.notices import ControlChange, Notice, StickRelease, StickSample
 from epf_gcs.contract.requests import ReadHil, SetHil
 from epf_gcs.contract.status import HilState
 from epf_gcs.error_log import ErrorLog
@@ -116,13 +116,13 @@ class HilSwitches:
 def take_stick_notice(stick: Stick, notice: Notice) -> None:
     """Keep the stick alive, let it go, or hear who has control."""
     match notice:
-        case StickMoved(client, sample):
+        case StickSample(client, sample):
             stick.take(client, dict(sample))
-        case StickReleased(client):
+        case StickRelease(client):
             stick.let_go(client)
-        case ControlChanged(client=None):
+        case ControlChange(client=None):
             stick.control_changed(None)
-        case ControlChanged(str(client), name, about, kept):
+        case ControlChange(str(client), name, about, kept):
             page = Client(client, name or "", dict(about))
             if kept:
                 stick.control_changed(None, page)

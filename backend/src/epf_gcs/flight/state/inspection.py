@@ -19,7 +19,7 @@ from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.state.line_rates import LineRates
 from epf_gcs.flight.state.watch import Watch
-from epf_gcs.vehicle.advice import MissingRow, Observed, Stream, advice
+from epf_gcs.vehicle.advice import AdviceFacts, MissingRow, Stream, advice
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.board import Board
@@ -54,7 +54,7 @@ class Snapshot:
     rows: Mapping[int, Arrivals]
     profile: str
     link: InspectedLink
-    observed: Observed
+    observed: AdviceFacts
     expected_hz: Mapping[str, float]
 
 
@@ -123,11 +123,11 @@ def _link(parts: InspectorSources) -> InspectedLink:
     )
 
 
-def _observed(parts: InspectorSources, link: InspectedLink) -> Observed:
+def _observed(parts: InspectorSources, link: InspectedLink) -> AdviceFacts:
     """The observations that need no rate."""
     surfaces_s = parts.hil.last_surfaces_s
     is_alive = surfaces_s is not None and parts.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
-    return Observed(
+    return AdviceFacts(
         silent_target=_silent_target(parts),
         rubbish_at_baud=_rubbish_at_baud(parts),
         rx_percent=link.rx_percent,

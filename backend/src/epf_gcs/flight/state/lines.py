@@ -20,7 +20,7 @@ from epf_gcs.link.address import EMULATION, LinkAddress, parse_address
 from epf_gcs.link.base import Link
 from epf_gcs.link.open import open_link
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.wanted import Wanted
+from epf_gcs.vehicle.wanted import IntendedSettings
 
 log = structlog.get_logger("flight")
 
@@ -110,7 +110,7 @@ class Lines:
             return
         await self._supervisor.close()
         self._parameters.forget()
-        self._memory.update(board_url=None, board_identity=None, wanted=Wanted())
+        self._memory.update(board_url=None, board_identity=None, wanted=IntendedSettings())
         self._end_recording_if_idle()
 
     async def open_simulator(self, address: SimulatorAddress) -> None:

@@ -19,7 +19,7 @@ _STEP: Final = 0.002
 
 
 @dataclass(frozen=True)
-class Asked:
+class ExportRequest:
     """`from_s` and `to_s` are seconds since the flight's start, None for its ends; `topics` None for all."""
 
     recording: Path
@@ -76,7 +76,7 @@ class Progress:
         self._say(share, doing)
 
 
-def read_arguments(arguments: list[str]) -> tuple[Asked, Path]:
+def read_arguments(arguments: list[str]) -> tuple[ExportRequest, Path]:
     """`FILE FORMAT OUT [--topics A,B] [--from-s X] [--to-s Y] [--language L]`. Raises InvalidInputError."""
     parser = argparse.ArgumentParser("export")
     parser.add_argument("file", type=Path)
@@ -87,7 +87,7 @@ def read_arguments(arguments: list[str]) -> tuple[Asked, Path]:
     parser.add_argument("--to-s", type=float)
     parser.add_argument("--language", choices=get_args(Language), default="es")
     given = parser.parse_args(arguments)
-    asked = Asked(given.file.resolve(), given.format, given.topics, given.from_s, given.to_s, given.language)
+    asked = ExportRequest(given.file.resolve(), given.format, given.topics, given.from_s, given.to_s, given.language)
     check_export(asked.format, asked.topics, asked.from_s, asked.to_s)
     return asked, given.out
 

@@ -15,14 +15,14 @@ import pyarrow as pa
 import pyarrow.compute as pc
 import pyarrow.csv as pa_csv
 
-from epf_gcs.flights.export.asked import Asked, Progress
+from epf_gcs.flights.export.asked import ExportRequest, Progress
 from epf_gcs.flights.export.stretch import Stretch, times_of
 from epf_gcs.recordings.export_names import is_single
 
 _ISO: Final = "%Y-%m-%dT%H:%M:%SZ"
 
 
-def write(asked: Asked, target: Path, _aside: Path, progress: Progress) -> None:
+def write(asked: ExportRequest, target: Path, _aside: Path, progress: Progress) -> None:
     """Raises GatewayError, OSError."""
     stretch = Stretch(asked, progress)
     stretch.expect(stretch.topics)

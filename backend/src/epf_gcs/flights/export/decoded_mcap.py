@@ -15,7 +15,7 @@ import orjson
 import pyarrow as pa
 from mcap.records import Channel, Schema
 
-from epf_gcs.flights.export.asked import Asked, Progress
+from epf_gcs.flights.export.asked import ExportRequest, Progress
 from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
 from epf_gcs.flights.export.json_schemas import LOCATION_FIX_SCHEMA, schema_of
 from epf_gcs.flights.export.stretch import Stretch, times_of
@@ -43,7 +43,7 @@ class _Stream(NamedTuple):
     batches: Batches
 
 
-def write(asked: Asked, target: Path, aside: Path, progress: Progress) -> None:
+def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -> None:
     """Raises GatewayError, OSError."""
     stretch = Stretch(asked, progress)
     tracks: dict[Source, list[FlownLine]] = {}

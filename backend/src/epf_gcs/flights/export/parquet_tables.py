@@ -9,7 +9,7 @@ from typing import Final
 
 import pyarrow.parquet as pq
 
-from epf_gcs.flights.export.asked import Asked, Progress
+from epf_gcs.flights.export.asked import ExportRequest, Progress
 from epf_gcs.flights.export.stretch import Stretch
 from epf_gcs.recordings.export_names import is_single
 
@@ -17,7 +17,7 @@ _PIECE_BYTES: Final = 1 << 20
 _GROUP_ROWS: Final = 32_768
 
 
-def write(asked: Asked, target: Path, aside: Path, progress: Progress) -> None:
+def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -> None:
     """Raises GatewayError, OSError."""
     stretch = Stretch(asked, progress)
     stretch.expect(stretch.topics)

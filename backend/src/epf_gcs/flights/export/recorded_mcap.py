@@ -12,7 +12,7 @@ import numpy as np
 from mcap.data_stream import ReadDataStream
 from mcap.records import Metadata
 
-from epf_gcs.flights.export.asked import Asked, Progress
+from epf_gcs.flights.export.asked import ExportRequest, Progress
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.export_names import stretch_empty
 from epf_gcs.recordings.notes import Note
@@ -26,7 +26,7 @@ _LEVEL: Final = 3
 _STATES: Final = (notes.IDENTITY, notes.PARAMETERS, notes.PLAN, notes.LINE)
 
 
-def write(asked: Asked, target: Path, _aside: Path, progress: Progress) -> None:
+def write(asked: ExportRequest, target: Path, _aside: Path, progress: Progress) -> None:
     """Raises GatewayError, OSError."""
     if asked.is_whole:
         _copy(asked.recording, target)
@@ -34,7 +34,7 @@ def write(asked: Asked, target: Path, _aside: Path, progress: Progress) -> None:
     reader = RecordReader(asked.recording)
     size = max(1, asked.recording.stat().st_size)
     with target.open("wb") as file:
-        cut = _Cut(asked, PackedFile(file, _LIBRARY, level=_LEVEL))
+        cut = _StretchWriter(asked, PackedFile(file, _LIBRARY, level=_LEVEL))
         for block in reader.blocks():
             cut.take(block)
             progress.at(reader.place / size)
@@ -51,13 +51,13 @@ def _copy(source: Path, target: Path) -> None:
         shutil.copyfile(source, target)
 
 
-class _Cut:
+class _StretchWriter:
     """Takes the blocks of a recording in order and writes those messages and notes that are in the stretch.
 
     What was known at its beginning is noted there: identity, gains, plans and lines.
     """
 
-    def __init__(self, asked: Asked, output: PackedFile) -> None:
+    def __init__(self, asked: ExportRequest, output: PackedFile) -> None:
         self._asked = asked
         self._output = output
         self._known: dict[tuple[str, Any], tuple[str, bytes]] = {}

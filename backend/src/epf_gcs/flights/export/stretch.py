@@ -12,7 +12,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from epf_gcs.flights.columns import KEYFRAMES
-from epf_gcs.flights.export.asked import Asked, Progress, unknown_topic
+from epf_gcs.flights.export.asked import ExportRequest, Progress, unknown_topic
 from epf_gcs.flights.indexed import not_indexed
 from epf_gcs.recordings.places import SUMMARY, Places
 
@@ -23,7 +23,7 @@ ROWS: Final = 8192
 class Stretch:
     """Raises ConflictError if the flight has no columns, NotFoundError for a topic that it has not, OSError."""
 
-    def __init__(self, asked: Asked, progress: Progress) -> None:
+    def __init__(self, asked: ExportRequest, progress: Progress) -> None:
         folder = Places(asked.recording.parent.parent).made_of(asked.flight)
         try:
             if folder is None:

@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.flights.export.asked import Asked, Progress, no_position
+from epf_gcs.flights.export.asked import ExportRequest, Progress, no_position
 from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
 from epf_gcs.flights.export.plans import plans_at
 from epf_gcs.flights.export.stretch import Stretch
@@ -24,7 +24,7 @@ _SOURCES: Final[tuple[Source, ...]] = ("flight", "hil")
 _COLOURS: Final = {"flight": (255, 255, 0, 255), "hil": (0, 229, 255, 255)}
 
 
-def write(asked: Asked, target: Path, aside: Path, progress: Progress) -> None:
+def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -> None:
     """Raises GatewayError, OSError."""
     stretch = Stretch(asked, progress)
     stretch.expect([topic for topic in TOPICS if topic in stretch.topics], share=_READING)
@@ -41,7 +41,7 @@ def write(asked: Asked, target: Path, aside: Path, progress: Progress) -> None:
             progress.at(min(0.99, _READING + (1.0 - _READING) * written / (written + 50.0 * points)))
 
 
-def _pieces(asked: Asked, stretch: Stretch, tracks: dict[Source, list[FlownLine]]) -> Iterator[bytes]:
+def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[FlownLine]]) -> Iterator[bytes]:
     words = WORDS[asked.language]
     names: dict[Source, str] = {"flight": words.track, "hil": words.hil_track}
     when = datetime.fromtimestamp(stretch.start_ns // 1_000_000_000, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")

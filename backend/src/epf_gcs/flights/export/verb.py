@@ -11,10 +11,10 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Final
 
-from epf_gcs.flights.export.asked import Asked, Progress, read_arguments
+from epf_gcs.flights.export.asked import ExportRequest, Progress, read_arguments
 from epf_gcs.flights.worker import Say
 
-Write = Callable[[Asked, Path, Path, Progress], None]
+Write = Callable[[ExportRequest, Path, Path, Progress], None]
 """Writes the target; the other path is a folder for what is kept aside meanwhile."""
 
 _MODULES: Final = {

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from fastapi import Depends, Header, Request
 
 from epf_gcs.access.admission import Admission
-from epf_gcs.access.caller import Caller, Shown
+from epf_gcs.access.caller import Caller, Credentials
 from epf_gcs.access.control import Control
 from epf_gcs.access.roles import Role
 from epf_gcs.bus.definition import Asker
@@ -78,14 +78,14 @@ async def get_caller(request: Request) -> Caller | None:
     return caller_of(request)
 
 
-async def get_shown(request: Request) -> Shown:
+async def get_shown(request: Request) -> Credentials:
     """What the request shows of its caller."""
-    shown: Shown = request.state.shown
+    shown: Credentials = request.state.shown
     return shown
 
 
 CallerDep = Annotated[Caller | None, Depends(get_caller)]
-ShownDep = Annotated[Shown, Depends(get_shown)]
+ShownDep = Annotated[Credentials, Depends(get_shown)]
 
 
 async def get_admitted(caller: CallerDep) -> Caller:

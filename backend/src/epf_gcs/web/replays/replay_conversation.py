@@ -14,10 +14,10 @@ import orjson
 from epf_gcs import __version__
 from epf_gcs.access.caller import Caller
 from epf_gcs.access.control import base_name
-from epf_gcs.bus.definition import BusError, Named
+from epf_gcs.bus.definition import BusError, NamedText
 from epf_gcs.contract.hello import Hello
 from epf_gcs.contract.notices import Notice
-from epf_gcs.contract.playback import Loop, Pause, Play, Playback, Seek, Step, Taken, Want
+from epf_gcs.contract.playback import Loop, Pause, Play, Playback, SampleCredit, Seek, Step, Want
 from epf_gcs.contract.requests import ReadInspector, ReadKnown, Request
 from epf_gcs.contract.status import Status
 from epf_gcs.errors import GatewayError
@@ -120,7 +120,7 @@ class ReplayConversation:
         for notice in self._early:
             self._replay.notice(notice)
 
-    def on_sample(self, sample: Named) -> None:
+    def on_sample(self, sample: NamedText) -> None:
         """A sample of the moment that is shown."""
         newest_s = sample.t_s if self._is_elsewhere else self._hub.state.newest_s
         self._is_elsewhere = False
@@ -135,7 +135,7 @@ class ReplayConversation:
         self._hub.flush()
         self._tell_taken()
 
-    def on_event(self, event: Named) -> None:
+    def on_event(self, event: NamedText) -> None:
         """Something that happened at that moment of the flight."""
         self._hub.send_event(event.text)
 
@@ -251,7 +251,7 @@ class ReplayConversation:
     def _tell_taken(self) -> None:
         """A viewer of every sample has been sent all there is: the replay may go on."""
         if self._untold and not self._viewer.rate_hz and not self._viewer.waiting and not self._viewer.queued:
-            self._replay.notice(Taken(self._untold))
+            self._replay.notice(SampleCredit(self._untold))
             self._untold = 0
 
     def _tell_jump(self) -> None:

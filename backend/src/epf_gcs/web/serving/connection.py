@@ -13,7 +13,7 @@ import structlog
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
 
 from epf_gcs.access.admission import Admission
-from epf_gcs.access.caller import Caller, Peer, Shown
+from epf_gcs.access.caller import Caller, Credentials, Peer
 from epf_gcs.access.limits import CallerLimits
 from epf_gcs.errors import GatewayError
 from epf_gcs.repeating import repeat
@@ -122,7 +122,7 @@ class Connection(HttpToolsProtocol):
         """Hand the transport to a WebSocket, if its caller may open one."""
         self.idle_since_s = None
         self._stage = "answer"
-        shown = Shown.of(self.scope["headers"], self._peer)
+        shown = Credentials.of(self.scope["headers"], self._peer)
         if self._admission.needs_proof(shown):
             self.transport.pause_reading()
             self._proof = self.loop.create_task(self._prove_and_upgrade(shown))
@@ -133,7 +133,7 @@ class Connection(HttpToolsProtocol):
     def _admission(self) -> Admission:
         return cast(Admission, self.app_state["admission"])
 
-    async def _prove_and_upgrade(self, shown: Shown) -> None:
+    async def _prove_and_upgrade(self, shown: Credentials) -> None:
         """The same for a key that has to be held against its hash first."""
         try:
             caller = await self._admission.prove(shown)

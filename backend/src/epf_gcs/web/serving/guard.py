@@ -18,7 +18,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from epf_gcs.access.admission import Admission
-from epf_gcs.access.caller import Caller, Peer, Shown
+from epf_gcs.access.caller import Caller, Credentials, Peer
 from epf_gcs.access.limits import CallerLimits
 from epf_gcs.access.roles import OPEN, Role
 from epf_gcs.error_log import ErrorLog
@@ -140,7 +140,7 @@ class Guard:
 
         try:
             await self._check_and_hand_on(scope, receive, send_guarded)
-        except _Ended:
+        except _SessionEnd:
             return  # the server closes the connection of an answer that is not whole
         except Exception as error:
             log.exception("a request failed", method=scope["method"], path=path)
@@ -195,7 +195,7 @@ class Guard:
     async def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
         """Who asks, and the row of the table. Raises NotAdmittedError, RoleError, TooManyError."""
         state = scope.setdefault("state", {})
-        shown = Shown.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
+        shown = Credentials.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
         caller = self._admission.resolve(shown)
         if caller is None and shown.authorization is not None:
             caller = await self._admission.prove(shown)
@@ -213,7 +213,7 @@ class Guard:
 
         async def send_on(message: Message) -> None:
             if self._admission.current(caller.session) is None:
-                raise _Ended
+                raise _SessionEnd
             await send(message)
 
         return send_on
@@ -263,7 +263,7 @@ def admitted(caller: Caller | None, least: int) -> Caller:
     return caller
 
 
-class _Ended(Exception):  # noqa: N818 - nothing failed
+class _SessionEnd(Exception):  # noqa: N818 - nothing failed
     """The session ended while its answer was being sent."""
 
 

@@ -7,7 +7,7 @@ from typing import Final
 
 import structlog
 
-from epf_gcs.bus.definition import Named
+from epf_gcs.bus.definition import NamedText
 from epf_gcs.clock import Clock
 from epf_gcs.contract.hello import ControlHolder, Hello
 from epf_gcs.contract.playback import Playback
@@ -91,7 +91,7 @@ class VehicleMirror:
             self._hub.event("flight", {"state": "back"})
         self._on_change()
 
-    def on_sample(self, sample: Named) -> None:
+    def on_sample(self, sample: NamedText) -> None:
         """Take a sample of a topic."""
         newest = self._hub.state.put(sample.name, sample.t_s, sample.text)
         listener = self._listeners.get(sample.name)
@@ -102,7 +102,7 @@ class VehicleMirror:
         """A group of samples is complete: send it to the viewers."""
         self._hub.flush()
 
-    def on_event(self, event: Named) -> None:
+    def on_event(self, event: NamedText) -> None:
         """Pass an event on to the viewers."""
         self._hub.send_event(event.text)
 

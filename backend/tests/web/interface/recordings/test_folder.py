@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from epf_gcs.web.interface.recordings.folder import Growing, RecordingFolder
+from epf_gcs.web.interface.recordings.folder import GrowingFile, RecordingFolder
 
 NAME = "20260101T000000Z"
 
@@ -23,7 +23,7 @@ def test_what_is_written_after_the_request_is_not_sent(tmp_path: Path) -> None:
 
 def test_the_one_that_is_written_ends_at_a_whole_record(tmp_path: Path) -> None:
     (tmp_path / f"{NAME}.mcap").write_bytes(b"whole, and tor")
-    folder = RecordingFolder(tmp_path, lambda: Growing(f"{NAME}.mcap", 5))
+    folder = RecordingFolder(tmp_path, lambda: GrowingFile(f"{NAME}.mcap", 5))
     found = folder.find(NAME)
     assert found is not None
     assert (found.active, b"".join(found.pieces())) == (True, b"whole")

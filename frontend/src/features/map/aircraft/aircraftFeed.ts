@@ -2,7 +2,7 @@ import type { Aircraft } from "../../../lib/aircraft";
 import { attitudeOf, between, type FullAttitude, type Quaternion, quaternionOf } from "../../../lib/attitude";
 import { formatAge } from "../../../lib/format";
 import type { NumberField, TopicName } from "../../../protocol/topics";
-import type { AircraftSeen, AllSeen } from "../../../scene/aircraft/AircraftLayer";
+import type { AircraftPose, AircraftPoses } from "../../../scene/aircraft/AircraftLayer";
 import type { Place } from "../../../scene/aircraft/pose";
 import type { TelemetryStore } from "../../../store/telemetry";
 import { aircraftPlace, PLACE_TOPIC } from "./aircraftPlace";
@@ -15,9 +15,9 @@ const ATTITUDE = {
 } as const;
 
 /** Whether an aircraft is drawn live or stale, or why it is not drawn. */
-export type Showing = "live" | "stale" | "noPosition" | "notHeard" | "noAttitude";
+export type AircraftState = "live" | "stale" | "noPosition" | "notHeard" | "noAttitude";
 
-export function showing(telemetry: TelemetryStore, aircraft: Aircraft, now_ms: number): Showing {
+export function showing(telemetry: TelemetryStore, aircraft: Aircraft, now_ms: number): AircraftState {
   const position = telemetry.state(PLACE_TOPIC[aircraft], now_ms);
   if (position === "none") {
     return "notHeard";
@@ -83,14 +83,14 @@ export class AircraftMotion {
     }
   }
 
-  seen(telemetry: TelemetryStore, names: Readonly<Record<Aircraft, string>>, now_ms: number): AllSeen {
+  seen(telemetry: TelemetryStore, names: Readonly<Record<Aircraft, string>>, now_ms: number): AircraftPoses {
     return {
       flight: this.#seen(telemetry, "flight", names.flight, now_ms),
       hil: this.#seen(telemetry, "hil", names.hil, now_ms),
     };
   }
 
-  #seen(telemetry: TelemetryStore, aircraft: Aircraft, name: string, now_ms: number): AircraftSeen | null {
+  #seen(telemetry: TelemetryStore, aircraft: Aircraft, name: string, now_ms: number): AircraftPose | null {
     const how = showing(telemetry, aircraft, now_ms);
     const place = at(this.#places[aircraft], telemetry, PLACE_TOPIC[aircraft], now_ms);
     if (place === null || how === "notHeard" || how === "noPosition") {

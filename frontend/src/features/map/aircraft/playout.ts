@@ -6,7 +6,7 @@ const WEIGHT = 0.15;
 /** Room for the samples that come in one batch while the page is busy. */
 const KEPT = 32;
 
-interface Timed<T> {
+interface TimedSample<T> {
   readonly t_s: number;
   readonly value: T;
 }
@@ -17,7 +17,7 @@ interface Timed<T> {
  */
 export class Playout<T> {
   readonly #between: (from: T, to: T, share: number) => T;
-  #samples: Timed<T>[] = [];
+  #samples: TimedSample<T>[] = [];
   #period_s: number | null = null;
   #way_s: number | null = null;
 
@@ -58,7 +58,7 @@ export class Playout<T> {
   }
 
   /** The value to show at `now_s` and its time; null before the first sample. */
-  at(now_s: number): Timed<T> | null {
+  at(now_s: number): TimedSample<T> | null {
     const newest = this.#samples.at(-1);
     if (newest === undefined) {
       return null;

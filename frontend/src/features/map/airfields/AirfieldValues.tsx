@@ -9,7 +9,7 @@ import { keptWorld } from "../../../scene/world/World";
 import { Facts, FromAircraft } from "../panels/cardParts";
 import "./airfields.css";
 
-type Read = AirfieldAt | "reading" | "failed";
+type AirfieldAnswer = AirfieldAt | "reading" | "failed";
 
 /** What is known of an airfield: runways, elevation, frequencies. */
 export function AirfieldValues({ code, latitude_deg, longitude_deg }: Position & { code: string }) {
@@ -32,8 +32,8 @@ export function AirfieldValues({ code, latitude_deg, longitude_deg }: Position &
   );
 }
 
-function useAirfield(code: string, latitude_deg: number, longitude_deg: number): Read {
-  const [read, setRead] = useState<Read>("reading");
+function useAirfield(code: string, latitude_deg: number, longitude_deg: number): AirfieldAnswer {
+  const [read, setRead] = useState<AirfieldAnswer>("reading");
   useEffect(() => {
     let isWanted = true;
     setRead("reading");

@@ -12,14 +12,14 @@ import { Checkbox } from "../../../ui/Checkbox";
 import { Notice } from "../../../ui/Notice";
 import { RangeField } from "../../../ui/RangeField";
 import { MAP_LAYERS } from "./layerList";
-import type { Stacked } from "./mapStack";
+import type { StackLayer } from "./mapStack";
 
 interface Props {
-  stacked: Stacked;
+  stacked: StackLayer;
   layer: MapLayer | undefined;
   isTop: boolean;
   isBottom: boolean;
-  onChange: (change: Partial<Omit<Stacked, "id">>) => void;
+  onChange: (change: Partial<Omit<StackLayer, "id">>) => void;
   onMove: (by: -1 | 1) => void;
 }
 

@@ -3,7 +3,7 @@ import type { Timers } from "../../../lib/timers";
 import type { StreamEvent } from "../../../protocol/envelope";
 import { isMapImport, isMapLayers, isOnlineState } from "../../../protocol/guards.gen";
 import { isConverting, type MapLayer } from "../../../protocol/mapLayers";
-import { type AskingParts, createAsking, info } from "../../../requests/asking";
+import { createAsking, info, type RequesterParts } from "../../../requests/asking";
 import { failureMessage } from "../../../store/messages";
 import {
   createMapLayers,
@@ -21,10 +21,10 @@ const SEND_MS = 6 * 3600_000;
 /** How often to ask for the progress of a file that somebody copied into the station's folder. */
 const CONVERTING_MS = 2000;
 
-type Named = Pick<MapLayer, "id" | "name">;
+type LayerName = Pick<MapLayer, "id" | "name">;
 
 /** The requests about map layers, with their outcome in the stores. */
-export function createMapLayerActions(parts: AskingParts & { readonly timers: Timers }): {
+export function createMapLayerActions(parts: RequesterParts & { readonly timers: Timers }): {
   readonly mapLayers: MapLayerActions;
   readonly takeMapEvent: (event: StreamEvent) => void;
 } {
@@ -80,7 +80,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
 
     forgetImport: (id) => forgetImport(store, id),
 
-    remove: ({ id, name }: Named, asker) =>
+    remove: ({ id, name }: LayerName, asker) =>
       run(asker, rest.ask("DELETE", `${LAYERS}/${id}`, isMapLayers), (value) => {
         store.setState(({ removed }) => ({ ...value, removed: [{ id, name }, ...removed] }));
         return { state: "confirmed", message: info("map.layers.saidRemoved", { name }) };
@@ -101,7 +101,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
         return { state: "confirmed", message: info("map.online.saidCleared") };
       }),
 
-    restore: ({ id, name }: Named, asker) =>
+    restore: ({ id, name }: LayerName, asker) =>
       run(asker, rest.ask("POST", `${LAYERS}/${id}/restore`, isMapLayers), (value) => {
         store.setState(({ removed }) => ({ ...value, removed: removed.filter((one) => one.id !== id) }));
         return { state: "confirmed", message: info("map.layers.saidRestored", { name }) };

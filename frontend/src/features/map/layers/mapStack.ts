@@ -1,5 +1,5 @@
 /** An image layer in the user's order, and how it is shown. */
-export interface Stacked {
+export interface StackLayer {
   readonly id: string;
   readonly isOn: boolean;
   /** 0: transparent, 1: opaque. */
@@ -13,7 +13,7 @@ export interface Stackable {
 }
 
 /** The layers from the topmost down, in the stored order; new ones are added on top. */
-export function stackOf(layers: readonly Stackable[], remembered: string | undefined): readonly Stacked[] {
+export function stackOf(layers: readonly Stackable[], remembered: string | undefined): readonly StackLayer[] {
   const known = parse(remembered);
   const there = new Set(layers.map(({ id }) => id));
   const isKnown = new Set(known.map(({ id }) => id));
@@ -24,7 +24,7 @@ export function stackOf(layers: readonly Stackable[], remembered: string | undef
 }
 
 /** The order as stored text. A layer that is missing now keeps its place for its return. */
-export function rememberedStack(stack: readonly Stacked[], before: string | undefined): string {
+export function rememberedStack(stack: readonly StackLayer[], before: string | undefined): string {
   const present = new Set(stack.map(({ id }) => id));
   const away = parse(before).filter(({ id }) => !present.has(id));
   return JSON.stringify([...stack, ...away].map(({ id, isOn, opacity }) => [id, isOn, opacity]));
@@ -32,21 +32,21 @@ export function rememberedStack(stack: readonly Stacked[], before: string | unde
 
 /** The stack with one layer changed; unchanged if the layer is not in it. */
 export function withLayer(
-  stack: readonly Stacked[],
+  stack: readonly StackLayer[],
   id: string,
-  change: Partial<Omit<Stacked, "id">>,
-): readonly Stacked[] {
+  change: Partial<Omit<StackLayer, "id">>,
+): readonly StackLayer[] {
   return stack.map((one) => (one.id === id ? { ...one, ...change } : one));
 }
 
 /** The stack with one layer a place further up (-1) or down (1); unchanged at the end. */
-export function movedLayer(stack: readonly Stacked[], id: string, by: -1 | 1): readonly Stacked[] {
+export function movedLayer(stack: readonly StackLayer[], id: string, by: -1 | 1): readonly StackLayer[] {
   const at = stack.findIndex((one) => one.id === id);
   const [one, other] = [stack[at], stack[at + by]];
   return one === undefined || other === undefined ? stack : stack.with(at, other).with(at + by, one);
 }
 
-function parse(text: string | undefined): readonly Stacked[] {
+function parse(text: string | undefined): readonly StackLayer[] {
   let value: unknown;
   try {
     value = JSON.parse(text ?? "[]");
@@ -56,7 +56,7 @@ function parse(text: string | undefined): readonly Stacked[] {
   return Array.isArray(value) ? value.flatMap((entry) => read(entry)) : [];
 }
 
-function read(entry: unknown): readonly Stacked[] {
+function read(entry: unknown): readonly StackLayer[] {
   if (!Array.isArray(entry)) {
     return [];
   }

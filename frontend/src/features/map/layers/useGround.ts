@@ -5,7 +5,7 @@ import { usePage, useSettings } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { useGlobeLayer } from "../scenes/useGlobe";
 import { useMapLayers } from "./layerList";
-import { movedLayer, rememberedStack, type Stacked, stackOf, withLayer } from "./mapStack";
+import { movedLayer, rememberedStack, type StackLayer, stackOf, withLayer } from "./mapStack";
 
 const STACK = "map.layers.stack";
 const TERRAIN = "map.layers.terrain";
@@ -13,9 +13,9 @@ const PATH = "/api/v1/map/layers";
 
 export interface GroundChoice {
   /** The image layers from the topmost down. */
-  readonly stack: readonly Stacked[];
+  readonly stack: readonly StackLayer[];
   readonly layerOf: (id: string) => MapLayer | undefined;
-  readonly change: (id: string, change: Partial<Omit<Stacked, "id">>) => void;
+  readonly change: (id: string, change: Partial<Omit<StackLayer, "id">>) => void;
   readonly move: (id: string, by: -1 | 1) => void;
   /** All terrains, including those that cannot be shown or not yet. */
   readonly terrains: readonly MapLayer[];
@@ -34,7 +34,8 @@ export function useGround(): GroundChoice {
   const terrains = layers.filter(({ kind }) => kind === "terrain");
   const terrain = terrains.some(({ id, problem }) => id === wanted && problem === null) ? wanted : null;
   const layerOf = (id: string): MapLayer | undefined => layers.find((layer) => layer.id === id);
-  const put = (next: readonly Stacked[]): void => choose(settings, STACK, rememberedStack(next, remembered));
+  const put = (next: readonly StackLayer[]): void =>
+    choose(settings, STACK, rememberedStack(next, remembered));
   const terrainFailed = useOnGlobe(layers, stack, terrain);
   return {
     stack,
@@ -51,7 +52,7 @@ export function useGround(): GroundChoice {
 export function stackOfLayers(
   layers: readonly MapLayer[],
   remembered: string | undefined,
-): readonly Stacked[] {
+): readonly StackLayer[] {
   const imagery = layers.filter(({ kind }) => kind !== "terrain");
   return stackOf(
     imagery.map(({ id, format }) => ({ id, isOnByItself: format !== "online" })),
@@ -60,7 +61,7 @@ export function stackOfLayers(
 }
 
 /** The visible layers from the topmost down, with the addresses of their tiles. */
-export function shownLayers(layers: readonly MapLayer[], stack: readonly Stacked[]): ShownLayer[] {
+export function shownLayers(layers: readonly MapLayer[], stack: readonly StackLayer[]): ShownLayer[] {
   return stack.flatMap(({ id, isOn, opacity }) => {
     const layer = layers.find((one) => one.id === id);
     return layer !== undefined && isOn && layer.problem === null
@@ -70,7 +71,11 @@ export function shownLayers(layers: readonly MapLayer[], stack: readonly Stacked
 }
 
 /** Shows the layers on the globe; returns whether the terrain could not be read. */
-function useOnGlobe(layers: readonly MapLayer[], stack: readonly Stacked[], terrain: string | null): boolean {
+function useOnGlobe(
+  layers: readonly MapLayer[],
+  stack: readonly StackLayer[],
+  terrain: string | null,
+): boolean {
   const laid = useGlobeLayer(
     "layers",
     async () => (await import("../../../scene/tools/LayerStack")).LayerStack,

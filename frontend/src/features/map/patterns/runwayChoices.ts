@@ -29,16 +29,16 @@ export const RUNWAYS: readonly RunwayChoice[] = GRAN_CANARIA.runways.flatMap(({ 
   directions(GRAN_CANARIA.code, GRAN_CANARIA.elevation_ft, [endAt(first), endAt(second)]),
 );
 
-export type Looking = "reading" | "none" | "failed" | null;
+export type RunwaySearch = "reading" | "none" | "failed" | null;
 
 /** The runways to choose from, and `look`, which takes those of the airfields around a place instead. */
 export function useRunways(): {
   readonly runways: readonly RunwayChoice[];
-  readonly looking: Looking;
+  readonly looking: RunwaySearch;
   readonly look: (around: Position) => Promise<readonly RunwayChoice[]>;
 } {
   const [runways, setRunways] = useState(RUNWAYS);
-  const [looking, setLooking] = useState<Looking>(null);
+  const [looking, setLooking] = useState<RunwaySearch>(null);
   const look = async (place: Position): Promise<readonly RunwayChoice[]> => {
     setLooking("reading");
     try {

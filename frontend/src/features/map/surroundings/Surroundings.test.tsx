@@ -7,7 +7,7 @@ import type { Status } from "../../../protocol/status";
 import type { FlatScene } from "../../../scene/flat/FlatScene";
 import { choose } from "../../../store/settings";
 import { anAround, aStatus } from "../../../test/aStatus";
-import { type Asked, Station } from "../../../test/station";
+import { type FakeRequest, Station } from "../../../test/station";
 import { WORDS } from "../../../ui/test/testWords";
 import { WordsProvider } from "../../../ui/words";
 import { FlatMap } from "../flat/FlatMap";
@@ -58,7 +58,7 @@ beforeEach(() => {
   station.greet();
 });
 
-function newest(method: string): Asked {
+function newest(method: string): FakeRequest {
   const asked = station.asked
     .filter((one) => one.method === method && one.path.endsWith("/surroundings"))
     .at(-1);
@@ -66,7 +66,7 @@ function newest(method: string): Asked {
   return asked;
 }
 
-function newestAt(method: string, path: string): Asked {
+function newestAt(method: string, path: string): FakeRequest {
   const asked = station.asked.filter((one) => one.method === method && one.path.endsWith(path)).at(-1);
   if (asked === undefined) throw new Error(`${path} was not asked`);
   return asked;

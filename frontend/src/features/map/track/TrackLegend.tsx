@@ -3,7 +3,7 @@ import { formatFixed } from "../../../lib/format";
 import { type Colouring, SCALES } from "../../../lib/track/trackColours";
 import type { TrackChoices } from "./useTrackLook";
 
-type Valued = Exclude<Colouring, "none">;
+type ScaleColouring = Exclude<Colouring, "none">;
 
 /** The legend of the tracks' colours. */
 export function TrackLegend({ colouring, shown, unit }: TrackChoices) {
@@ -16,7 +16,7 @@ export function TrackLegend({ colouring, shown, unit }: TrackChoices) {
   }
   const middle = (shown.least + shown.most) / 2;
   const text = (value: number): string => formatFixed(value, Number.isInteger(value) ? 0 : 1) ?? "";
-  const of: Readonly<Record<Valued, string>> = {
+  const of: Readonly<Record<ScaleColouring, string>> = {
     height: t("map.track.scaleHeight", { unit }),
     speed: t("map.track.scaleSpeed", { unit }),
     climb: t("map.track.scaleClimb", { unit }),

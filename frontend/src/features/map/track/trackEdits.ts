@@ -1,4 +1,4 @@
-import { type Asker, type AskingParts, createAsking, info } from "../../../requests/asking";
+import { type Asker, createAsking, info, type RequesterParts } from "../../../requests/asking";
 import { partName } from "../../../store/parts";
 
 /** Clears and restores the tracks, for every browser; none throws. */
@@ -9,7 +9,7 @@ export interface TrackEdits {
 
 export const TRACK_EDITS = partName<TrackEdits>("track edits");
 
-export function createTrackEdits(parts: AskingParts): TrackEdits {
+export function createTrackEdits(parts: RequesterParts): TrackEdits {
   const { simply } = createAsking(parts);
   return {
     reset: (asker) => simply(asker, ["POST", "/api/v1/track/reset"], info("said.trackReset")),

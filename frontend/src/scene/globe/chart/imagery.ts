@@ -16,10 +16,10 @@ const POLE_DEG = 85.0511;
 /** With more tiles than this at once the engine would be busy for seconds, or for ever. */
 const MOST_OF_LOWEST = 64;
 
-type Covered = Pick<ImagerySource, "west_deg" | "south_deg" | "east_deg" | "north_deg">;
+type CoveredArea = Pick<ImagerySource, "west_deg" | "south_deg" | "east_deg" | "north_deg">;
 
 /** The area that the source covers. An area beyond the map's edge is ignored. */
-export function coveredBy({ west_deg, south_deg, east_deg, north_deg }: Covered): Covered {
+export function coveredBy({ west_deg, south_deg, east_deg, north_deg }: CoveredArea): CoveredArea {
   const south = Math.max(-POLE_DEG, south_deg);
   const north = Math.min(POLE_DEG, north_deg);
   return west_deg < east_deg && south < north

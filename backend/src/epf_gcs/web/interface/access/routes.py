@@ -10,7 +10,7 @@ from fastapi import APIRouter, Path, Query, Request, Response, status
 
 from epf_gcs.access.addresses import addresses, is_of_this_computer_alone, qr_svg, qr_svg_of_plain, with_key
 from epf_gcs.access.admission import ANYONE, Admission
-from epf_gcs.access.caller import Caller, Shown
+from epf_gcs.access.caller import Caller, Credentials
 from epf_gcs.access.roles import Role, name_of
 from epf_gcs.access.store import Invitation, Person, Program, Session
 from epf_gcs.errors import ConflictError, InvalidInputError
@@ -224,7 +224,7 @@ async def get_log(
     return Deeds(deeds=[DeedState.model_validate(deed) for deed in found])
 
 
-def _me(admission: Admission, caller: Caller | None, shown: Shown) -> Me:
+def _me(admission: Admission, caller: Caller | None, shown: Credentials) -> Me:
     found = admission.find(shown) if caller is None else None
     if found is not None and found[1].state == "waiting":
         anyone = admission.policy.anyone_may_fly

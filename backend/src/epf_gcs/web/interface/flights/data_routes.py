@@ -11,7 +11,7 @@ import orjson
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 
-from epf_gcs.contract.answers import FlightKnown
+from epf_gcs.contract.answers import FlightKnowledge
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
 from epf_gcs.formats.track_points import MEDIA_TYPE
@@ -136,7 +136,7 @@ async def get_flight_track(
 @router.get(
     "/{flight_id}/known",
     response_class=Response,
-    responses={200: {"model": FlightKnown}, **reading_problems(404, 409)},
+    responses={200: {"model": FlightKnowledge}, **reading_problems(404, 409)},
 )
 async def get_flight_known(
     flight_id: FlightName,

@@ -20,7 +20,7 @@ from epf_gcs.library.jobs import Job
 from epf_gcs.recordings.export_names import ExportFormat, check_export, file_name, is_single
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep
-from epf_gcs.web.interface.flights.schemas import ExportInput, JobStarted
+from epf_gcs.web.interface.flights.schemas import ExportInput, JobStart
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])
@@ -54,9 +54,9 @@ Topics = Annotated[
 
 
 @router.post("/{flight_id}/exports", status_code=202, responses=problems(404, 409))
-async def start_flight_export(flight_id: FlightId, asked: ExportInput, flights: FlightsDep) -> JobStarted:
+async def start_flight_export(flight_id: FlightId, asked: ExportInput, flights: FlightsDep) -> JobStart:
     """Begin to write a flight as a file: the job tells how far it is, can be cancelled, and has the file as result."""
-    return JobStarted(job=(await _start(flights, flight_id, asked)).id)
+    return JobStart(job=(await _start(flights, flight_id, asked)).id)
 
 
 @router.get(

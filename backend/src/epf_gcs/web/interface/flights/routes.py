@@ -16,7 +16,7 @@ from epf_gcs.library.about import About
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.folder import KEPT_S
 from epf_gcs.library.imports import incomplete, most_import_bytes
-from epf_gcs.library.library import Row, Sort, Wanted
+from epf_gcs.library.library import FlightQuery, Row, Sort
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.interface.flights.schemas import (
@@ -28,7 +28,7 @@ from epf_gcs.web.interface.flights.schemas import (
     FlightList,
     FlightState,
     Job,
-    JobStarted,
+    JobStart,
 )
 from epf_gcs.web.interface.flights.settings_schemas import (
     FlightAircraft,
@@ -64,7 +64,7 @@ async def get_flights(
     per_page: Annotated[int, Query(ge=1, le=500)] = 50,
 ) -> FlightList:
     """The library: one page of the flights that were asked for, newest first unless another order is."""
-    wanted = Wanted(text, tag, board, from_s, to_s, sort, order == "desc", (page - 1) * per_page, per_page)
+    wanted = FlightQuery(text, tag, board, from_s, to_s, sort, order == "desc", (page - 1) * per_page, per_page)
     rows, total = await flights.search(wanted)
     tags, boards = await flights.words()
     return FlightList(
@@ -116,13 +116,13 @@ async def set_flight_aircraft(named: FlightAircraftInput, flights: FlightsDep, _
     responses=problems(409),
     openapi_extra=file_body(),
 )
-async def import_flight(request: Request, imports: ImportsDep, name: FileName, _: OperatorDep) -> JobStarted:
+async def import_flight(request: Request, imports: ImportsDep, name: FileName, _: OperatorDep) -> JobStart:
     """Take a recording of another machine, whole or not at all. The answer comes when all of it is there; the job that
     it names checks it then, and says under which id it is in the library, or why it is not."""
     length = request.headers.get("content-length", "")
     total_bytes = int(length) if length.isdecimal() else None
     job = await imports.receive(name, total_bytes, _chunks(request, name))
-    return JobStarted(job=job.id)
+    return JobStart(job=job.id)
 
 
 @router.get("/{flight_id}", responses=reading_problems(404))

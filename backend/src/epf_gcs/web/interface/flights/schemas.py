@@ -71,7 +71,7 @@ class Job(Output):
     result: JobResult | None
 
 
-class JobStarted(Output):
+class JobStart(Output):
     """The id of a job that was started."""
 
     job: str

@@ -14,7 +14,7 @@ from epf_gcs.disk import regular_files
 _PIECE: Final = 256 * 1024
 
 
-class Growing(NamedTuple):
+class GrowingFile(NamedTuple):
     """The recording being written: its file name, and the number of bytes that are complete records."""
 
     file: str
@@ -42,7 +42,7 @@ class Recording:
 class RecordingFolder:
     """`growing` gives the recording being written. Every call reads the disk: call it in a thread."""
 
-    def __init__(self, path: Path, growing: Callable[[], Growing | None]) -> None:
+    def __init__(self, path: Path, growing: Callable[[], GrowingFile | None]) -> None:
         self._path = path
         self._growing = growing
 

@@ -11,7 +11,7 @@ from fastapi.responses import FileResponse, Response, StreamingResponse
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
 from epf_gcs.web.interface.deps import MirrorDep, RecordingsDirDep
-from epf_gcs.web.interface.recordings.folder import Growing, Recording, RecordingFolder
+from epf_gcs.web.interface.recordings.folder import GrowingFile, Recording, RecordingFolder
 from epf_gcs.web.interface.recordings.schemas import RecordingInfo, RecordingList
 from epf_gcs.web.serving.problems import reading_problems
 
@@ -23,9 +23,9 @@ RecordingId = Annotated[str, Path(pattern=r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$",
 async def _folder_of(path: RecordingsDirDep, mirror: MirrorDep) -> RecordingFolder:
     """The only part of the station that these routes use."""
 
-    def growing() -> Growing | None:
+    def growing() -> GrowingFile | None:
         recording = mirror.status.recording
-        return None if recording.file is None or not recording.active else Growing(recording.file, recording.bytes)
+        return None if recording.file is None or not recording.active else GrowingFile(recording.file, recording.bytes)
 
     return RecordingFolder(path, growing)
 
