@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from typing import cast
 
 import pytest
 
@@ -113,7 +114,7 @@ def test_parked_on_the_runway_nothing_is_known_and_nothing_is_refused(sent: Simu
     ],
 )
 def test_with_the_right_profile_a_whole_flight_raises_no_alarm(route: str, options: SimulationOptions) -> None:
-    with StationLoop(options, "xp10") as loop:
+    with StationLoop(options, cast(SimulatorProfile, options.profile)) as loop:
         loop.assist(route)
         loop.fly(250.0)
         assert loop.alarms == []

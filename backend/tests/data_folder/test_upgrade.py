@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ import pytest
 from epf_gcs import __version__
 from epf_gcs.data_folder import changes, version
 from epf_gcs.data_folder.changes import Change, Changed, Files
-from epf_gcs.data_folder.lock import DataFolder
+from epf_gcs.data_folder.lock import DataFolder, held
 from epf_gcs.data_folder.upgrade import bring_up_to_date, downgrade, finish, is_interrupted, upgrade
 from epf_gcs.data_folder.version import FILE, FORMAT, FormatError, read_format, write_format
 from epf_gcs.errors import ConflictError
@@ -130,7 +131,7 @@ def test_a_folder_of_our_format_is_not_written_to(tmp_path: Path) -> None:
 
 
 def test_a_folder_in_use_is_left_alone(data: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("epf_gcs.data_folder.lock._PATIENCE_S", 0.0)
+    monkeypatch.setattr("epf_gcs.data_folder.upgrade.held", partial(held, patience_s=0.0))
     with DataFolder(data), pytest.raises(ConflictError):
         bring_up_to_date(data, quiet)
     assert tree(data) == OLD

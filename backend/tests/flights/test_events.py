@@ -216,15 +216,15 @@ def test_what_was_known_is_the_newest_note_before_the_moment() -> None:
     assert answers.known(flight, 4.9)["missions"]["hil"] == {"plan": "hil", "waypoints": None}
     assert answers.known(flight, 5.0)["missions"]["hil"]["waypoints"] == [{"latitude_deg": 28.0}]
     assert answers.known(flight, 2.0)["parameters"] is None
-    then = {one["name"]: one for one in answers.known(flight, 9.0)["parameters"]}
-    assert [(then["k_pitch"][key]) for key in ("value", "state", "loaded", "group")] == [
+    then = {one.name: one for one in answers.known(flight, 9.0)["parameters"]}
+    assert [getattr(then["k_pitch"], key) for key in ("value", "state", "loaded", "group")] == [
         2.5,
         "confirmed",
         1.0,
         "altitude",
     ]
-    assert {then[name]["state"] for name in ("k_roll", "k_VVI", "k_elev")} == {"unknown"}
-    assert then["k_VVI"]["value"] is None
+    assert {then[name].state for name in ("k_roll", "k_VVI", "k_elev")} == {"unknown"}
+    assert then["k_VVI"].value is None
 
 
 def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
