@@ -1,8 +1,8 @@
 """Write the World Magnetic Model's coefficients as a C table: `magnetic_model.py [--check]`.
 
 The board has no calendar, so the table holds the field in the middle of the model's five years; from there the
-declination moves by less than half a degree either way wherever a compass is usual. The coefficients (NOAA, public
-domain) come out of the pinned package `pygeomag`, and the next model comes with its next release.
+declination moves by up to 1.2 deg either way where the horizontal field is above 10,000 nT. The coefficients (NOAA,
+public domain) come out of the pinned package `pygeomag`, and the next model comes with its next release.
 """
 
 import sys

@@ -1,7 +1,7 @@
 /// The earth's magnetic field by place: the World Magnetic Model 2025 at sea level, in the middle of its five years.
 ///
-/// The declination moves by less than half a degree from the middle to either end of those years, except near the
-/// magnetic poles, and by some hundredths of a degree up to an aircraft's altitude.
+/// From the middle to either end of those years the declination moves by up to 0.5 deg in the Canary Islands, and by
+/// up to 1.2 deg where the horizontal field is above 10,000 nT; up to an aircraft's altitude by some hundredths.
 #ifndef ESTIMATION_MAGNETIC_FIELD_H
 #define ESTIMATION_MAGNETIC_FIELD_H
 
