@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
+from epf_gcs.contract.events import ErrorEvent
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import LinkError
 
@@ -15,7 +17,7 @@ class Listener:
         self.now_s = 100.0
         self.told: list[dict[str, Any]] = []
         self.errors = ErrorLog()
-        self.errors.tell_viewers(lambda: self.now_s, lambda _, data: self.told.append(data))
+        self.errors.tell_viewers(lambda: self.now_s, lambda *told: self.told.append(asdict(ErrorEvent.of(*told))))
 
 
 def test_each_kind_is_told_once_in_ten_seconds_and_counted_always() -> None:

@@ -4,6 +4,8 @@ export interface ApiDocument {
   readonly components: { readonly schemas: Schemas };
   /** Schemas that come otherwise than as an answer: on the stream. */
   readonly "x-shapes"?: Schemas;
+  /** The data of each event of the stream, by the event's name. */
+  readonly "x-events"?: Schemas;
 }
 
 interface Operation {
@@ -41,10 +43,17 @@ export interface Exceptions {
 
 export const EXCEPTIONS: Exceptions = {
   openWords: [
+    "AdviceEvent.code",
     "AdviceState.code",
+    "AlarmEvent.id",
     "AlarmState.id",
+    "CommandEvent.by",
+    "CommandEvent.reason",
     "CommandOutcome.by",
     "CommandOutcome.reason",
+    "ControlEvent.reason",
+    "ControlRequestEndEvent.result",
+    "ErrorEvent.code",
     "Failure.code",
     "Fault.code",
     "FlightEvent.kind",
@@ -56,7 +65,7 @@ export const EXCEPTIONS: Exceptions = {
     "PastAlarm.id",
   ],
   // A gateway that runs on while its page is brought up to date may not know of it.
-  optional: ["HilState.stick"],
+  optional: ["ConsoleEvent.client", "HilState.stick"],
   parameterNames: ["ParameterChange.name", "ParameterMove.name", "ParameterState.name"],
 };
 
@@ -71,16 +80,21 @@ const PLAIN: Readonly<Record<string, string>> = {
 };
 
 /**
- * The schemas with which the gateway answers a question that it granted, those of messages on the stream, and all that
- * they refer to, parts first.
+ * The schemas with which the gateway answers a question that it granted, those of messages and events on the stream, and
+ * all that they refer to, parts first.
  */
-export function answerSchemas({ paths, components, "x-shapes": shapes = {} }: ApiDocument): Schemas {
+export function answerSchemas({
+  paths,
+  components,
+  "x-shapes": shapes = {},
+  "x-events": events = {},
+}: ApiDocument): Schemas {
   const answers = Object.values(paths)
     .flatMap((operations) => Object.values(operations))
     .flatMap(({ responses }) => Object.entries(responses))
     .filter(([status]) => status.startsWith("2"))
     .map(([, { content }]) => content?.["application/json"]?.schema?.$ref)
-    .concat(Object.values(shapes).map(({ $ref }) => $ref))
+    .concat([...Object.values(shapes), ...Object.values(events)].map(({ $ref }) => $ref))
     .filter((reference) => reference !== undefined)
     .map(nameOf);
   // Sorted before the second pass, so that the order does not depend on which schemas are answers themselves.
@@ -124,7 +138,7 @@ function nameOf(reference: string): string {
   return reference.slice(REFERENCE.length);
 }
 
-/** The text of guards.gen.ts: for each schema `is<Name>` and the type that it proves. */
+/** The text of guards.gen.ts: for each schema `is<Name>` and the type that it proves, and the checks of all events. */
 export function guardsModule(document: ApiDocument, exceptions: Exceptions = EXCEPTIONS): string {
   const schemas = answerSchemas(document);
   const unused = Object.values(exceptions)
@@ -137,7 +151,7 @@ export function guardsModule(document: ApiDocument, exceptions: Exceptions = EXC
     throw new Error(`${unused.join(", ")}: excepted, and not in the document`);
   }
   const guards = Object.entries(schemas).map(([name, schema]) => guard(name, schema, exceptions));
-  const body = guards.join("\n");
+  const body = [...guards, ...eventChecks(document)].join("\n");
   const parts = ["dictionary", "either", "isFlag", "isNumber", "isObject", "isText", "list"].concat(
     "nullable",
     "oneOf",
@@ -150,6 +164,16 @@ export function guardsModule(document: ApiDocument, exceptions: Exceptions = EXC
     ? `import { isParameterName } from "./parameterName";\n`
     : "";
   return `${HEAD}import { type Checked, ${used.join(", ")} } from "../lib/check";\n${names}\n${body}`;
+}
+
+/** The table of the checks of all events; nothing where the document has none. */
+function eventChecks({ "x-events": events = {} }: ApiDocument): readonly string[] {
+  const rows = Object.entries(events).map(([name, { $ref = "" }]) => `  ${name}: is${nameOf($ref)},\n`);
+  return rows.length === 0
+    ? []
+    : [
+        `/** The check of each event's data, by the event's name. */\nexport const EVENT_CHECKS = {\n${rows.sort().join("")}};\n`,
+      ];
 }
 
 function guard(name: string, schema: Schema, exceptions: Exceptions): string {
@@ -165,8 +189,8 @@ function guard(name: string, schema: Schema, exceptions: Exceptions): string {
       : checkOf(part, place, exceptions.openWords.includes(place));
     return `  ${property}: ${isOptional ? `optional(${check})` : check},\n`;
   });
-  return `${comment(schema)}export const is${name} = shape({
-${fields.join("")}});
+  const body = fields.length === 0 ? "{}" : `{\n${fields.join("")}}`;
+  return `${comment(schema)}export const is${name} = shape(${body});
 export type ${name} = Checked<typeof is${name}>;
 `;
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs.errors import GatewayError
 
@@ -19,11 +19,11 @@ class ErrorLog:
     def __init__(self) -> None:
         self.counts: Counter[str] = Counter()
         self._steady_s: Callable[[], float] = lambda: 0.0
-        self._tell: Callable[[str, dict[str, Any]], None] = lambda _kind, _data: None
+        self._tell: Callable[[GatewayError, int], None] = lambda _error, _count: None
         self._told_s: dict[str, float] = {}
 
-    def tell_viewers(self, steady_s: Callable[[], float], tell: Callable[[str, dict[str, Any]], None]) -> None:
-        """There are viewers to tell now; `steady_s` is any clock that is never set."""
+    def tell_viewers(self, steady_s: Callable[[], float], tell: Callable[[GatewayError, int], None]) -> None:
+        """There are viewers to tell now: the error and how often it came; `steady_s`: any clock that is never set."""
         self._steady_s = steady_s
         self._tell = tell
 
@@ -38,12 +38,4 @@ class ErrorLog:
         if now_s - self._told_s.get(error.code, -_QUIET_S) < _QUIET_S:
             return
         self._told_s[error.code] = now_s
-        self._tell(
-            "error",
-            {
-                "code": error.code,
-                "detail": error.detail,
-                "params": error.params,
-                "count": self.counts[error.code],
-            },
-        )
+        self._tell(error, self.counts[error.code])

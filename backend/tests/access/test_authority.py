@@ -13,12 +13,12 @@ from epf_gcs.access.changes import (
     HolderChange,
     KeptOver,
     Page,
-    Reason,
     RequestEnd,
     RequestStart,
     StickLoss,
 )
 from epf_gcs.access.roles import Role
+from epf_gcs.contract.events import ControlReason
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError, RoleError
 
 
@@ -53,7 +53,7 @@ class Desk:
         return None if self.rules.kept_for is None else self.rules.kept_for.client
 
 
-def reasons(effects: list[Effect]) -> list[tuple[str | None, Reason]]:
+def reasons(effects: list[Effect]) -> list[tuple[str | None, ControlReason]]:
     """Who has control after each change, and why."""
     return [
         (effect.page.client if effect.page else None, effect.reason)

@@ -6,7 +6,7 @@ from typing import get_args
 
 import pytest
 
-from epf_gcs.access.changes import Reason, Result
+from epf_gcs.contract.events import ControlReason, RequestResult
 from tests.support.control_walk import Walk
 
 STEPS = 200_000
@@ -18,7 +18,7 @@ def test_random_steps_meet_no_second_holder_no_stick_without_one_and_always_a_wa
     walk.go(STEPS)
     assert walk.ways_back == STEPS // 500
     seen = walk.flight.reasons.keys()
-    assert seen >= set(get_args(Reason)) | set(get_args(Result)), "every rule was walked through"
+    assert seen >= set(get_args(ControlReason)) | set(get_args(RequestResult)), "every rule was walked through"
     assert walk.flight.kept_over > 0
     assert walk.refusals.keys() >= {
         "control_held",

@@ -11,10 +11,12 @@ from epf_gcs.access.caller import LOCAL, Caller
 from epf_gcs.access.changes import Page
 from epf_gcs.access.control import Control
 from epf_gcs.access.roles import Role
+from epf_gcs.contract.events import Event
 from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.contract.notices import ControlChange, Notice, StickRelease
 from epf_gcs.errors import GatewayError
 from epf_gcs.xplane.datagram import Surfaces
+from tests.support.contract import as_told
 from tests.support.held import UNIX_S, HeldClock
 from tests.support.held_loop import HeldLoop
 
@@ -51,8 +53,8 @@ class Desk:
         self.control = Control(self.loop, self.clock, self, by_silence=True)  # type: ignore[arg-type]
         self.lines: dict[str, Line] = {}
 
-    def event(self, kind: str, data: dict[str, Any]) -> None:
-        self.events.append((kind, data))
+    def event(self, event: Event) -> None:
+        self.events.append(as_told(event))
 
     def notice(self, notice: Notice) -> None:
         self.notices.append(notice)

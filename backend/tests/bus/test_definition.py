@@ -20,12 +20,13 @@ from epf_gcs.bus.definition import (
     unpack_numbered,
     unpack_object,
 )
+from epf_gcs.contract.events import FlightProcessEvent
 
 STREAM = b"".join(
     [
         pack(Kind.HELLO, b"{}"),
         pack_sample("ahrs", 1.5, {"roll_deg": -3.25, "pitch_deg": None}),
-        pack_event("alarm", 2.5, {"id": "hil_lost"}),
+        pack_event(FlightProcessEvent("lost"), 2.5),
         pack_numbered(Kind.ANSWER, 7, {"result": [1, 2]}),
         pack(Kind.BYE, b""),
     ]

@@ -18,6 +18,7 @@ from epf_gcs.bus.definition import Asker, Kind, NamedText, pack
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.contract.answers import AircraftName
+from epf_gcs.contract.events import ConsoleEvent, FlightProcessEvent
 from epf_gcs.contract.hello import Hello
 from epf_gcs.contract.notices import Notice, Pace, StickRelease
 from epf_gcs.contract.playback import Playback
@@ -131,15 +132,15 @@ async def test_a_station_hears_how_everything_stands_and_then_what_happens(tmp_p
         assert (heard.hellos, [sample.name for sample in heard.samples]) == ([HELLO], ["ahrs"])
         vehicle.broadcast.sample("gps", 2.0, {"latitude_deg": None})
         assert len(heard.samples) == 1
-        vehicle.broadcast.event("alarm", {"id": "x"})
+        vehicle.broadcast.event(FlightProcessEvent("back"))
         vehicle.broadcast.status(Status())
         await eventually_async(lambda: len(heard.statuses) == 1, "all arrives")
         assert heard.samples[1].name == "gps", "an event does not overtake the samples before it"
         assert orjson.loads(heard.events[0].text) == {
             "type": "event",
-            "event": "alarm",
+            "event": "flight",
             "t_s": 5.0,
-            "data": {"id": "x"},
+            "data": {"state": "back"},
         }
     await eventually_async(lambda: vehicle.gone == 1, "the vehicle notices that the station went")
     await vehicle.stop()
@@ -303,7 +304,7 @@ async def test_a_vehicle_that_hangs_is_noticed_and_whoever_waits_for_it_is_told_
         for asked in (waiting, station.ask(NameAircraft())):
             with pytest.raises(UnavailableError):
                 await asked
-        vehicle.broadcast.event("alarm", {"id": "x"})
+        vehicle.broadcast.event(FlightProcessEvent("back"))
         await eventually_async(lambda: len(heard.events) == 1, "it is heard")
         assert heard.silences == [True, False]
         assert await station.ask(NameAircraft()) == AircraftName("None by None")
@@ -360,7 +361,7 @@ async def test_a_listener_that_does_not_read_is_let_go_and_costs_bounded_memory(
     stopped = await connect(tmp_path)
     await eventually_async(lambda: vehicle.broadcast.has_listeners, "it is there")
     for _ in range(3000):
-        vehicle.broadcast.event("console", {"text": "x" * 10_000})
+        vehicle.broadcast.event(ConsoleEvent("received", "x" * 10_000))
         await asyncio.sleep(0)
     assert not vehicle.broadcast.has_listeners
     assert vehicle.gone == 1, "a stick that came through it must be let go"
@@ -495,7 +496,7 @@ async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Pat
     vehicle, heard = Vehicle(tmp_path), Failing()
     async with connected(tmp_path, heard) as station:
         await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
-        vehicle.broadcast.event("alarm", {})
+        vehicle.broadcast.event(FlightProcessEvent("back"))
         for topic in ("gps", "ahrs"):
             vehicle.broadcast.sample(topic, 2.0, {})
         async with asyncio.timeout(DEADLINE_S):

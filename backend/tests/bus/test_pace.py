@@ -9,6 +9,7 @@ import pytest
 
 from epf_gcs.bus.definition import Decoder, Kind
 from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.contract.events import FlightProcessEvent
 from epf_gcs.contract.status import Status
 from tests.support.contract import a_playback
 from tests.support.held_loop import HeldLoop
@@ -74,7 +75,7 @@ def test_a_listener_that_falls_behind_gets_no_samples_then_nothing_and_costs_the
         slow.unsent_bytes = unsent
         broadcast.sample("gps", 1.0, {})
         broadcast.flush()
-        broadcast.event("alarm", {})
+        broadcast.event(FlightProcessEvent("back"))
     assert kinds(slow_sent) == [Kind.SAMPLE, Kind.EVENT, Kind.EVENT, Kind.EVENT]
     assert slow.is_lost
     assert kinds(quick_sent) == [Kind.SAMPLE, Kind.EVENT] * 4
@@ -88,7 +89,7 @@ def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: H
     broadcast.sample("gps", 1.0, {})
     broadcast.flush()
     tells: tuple[Callable[[], None], ...] = (
-        lambda: broadcast.event("alarm", {}),
+        lambda: broadcast.event(FlightProcessEvent("back")),
         lambda: broadcast.status(Status()),
         lambda: broadcast.playback(a_playback()),
     )
@@ -128,7 +129,7 @@ def test_without_listeners_nothing_is_kept_for_one_who_comes_later() -> None:
     assert sent == []
     broadcast.remove(listener)  # type: ignore[arg-type]
     assert not broadcast.has_listeners
-    broadcast.event("alarm", {})
+    broadcast.event(FlightProcessEvent("back"))
     assert sent == []
 
 

@@ -16,6 +16,22 @@ from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.contract.answers import DiskPolicy
+from epf_gcs.contract.events import (
+    AdviceEvent,
+    AlarmEvent,
+    BoardRestartEvent,
+    CommandEvent,
+    ConsoleEvent,
+    ErrorEvent,
+    JournalEvent,
+    LinkEvent,
+    MarkEvent,
+    MissionEvent,
+    ParameterEvent,
+    RecordingEvent,
+    SimulatorJumpEvent,
+    StickEvent,
+)
 from epf_gcs.contract.notices import Pace, StickSample
 from epf_gcs.contract.requests import (
     AnswerT_co,
@@ -34,6 +50,7 @@ from epf_gcs.flight.requests.recording import policy_of
 from epf_gcs.recordings.notes import EVENT, IDENTITY, MARK, Note
 from epf_gcs.recordings.reading import notes_of
 from epf_gcs.xplane.datagram import Record, build
+from tests.support.contract import as_told
 from tests.support.simulator import NO, ROWS
 from tests.support.waiting import eventually_async
 
@@ -100,7 +117,7 @@ class Asked:
 async def asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[Asked]:
     flight = Flight(tmp_path)
     made = Asked(flight)
-    monkeypatch.setattr(Broadcast, "event", lambda _, kind, data: made.told.append((kind, data)))
+    monkeypatch.setattr(Broadcast, "event", lambda _, event: made.told.append(as_told(event)))
     yield made
     for kept in (flight.journal, flight._alarm_history, flight.memory):
         kept.close()
@@ -271,13 +288,31 @@ async def test_what_the_bytes_of_the_lines_do_not_say_is_noted_and_nothing_else(
     gains = asked.flight.outlet.on_parameters
     assert gains is not None
     asked.flight.outlet.on_parameters = lambda: heard.append("gains")
-    noted = ["advice", "alarm", "board_restarted", "command", "link", "mission", "parameter", "stick"]
-    for kind in (*noted, "mark", "journal", "console", "status", "about"):
-        asked.flight.outlet.event(kind, {"direction": "received"})
+    noted = (
+        AdviceEvent("line_full", "info", "The line is full.", {}),
+        AlarmEvent("hil_lost", "warning", 1.0, None, "Lost.", {}, acknowledged=False, active=True),
+        BoardRestartEvent(),
+        CommandEvent(1, "reset", [], None, "sent"),
+        ConsoleEvent("sent", "help"),
+        LinkEvent("open", "closed"),
+        MissionEvent("flight", "pending"),
+        ParameterEvent({}),
+        SimulatorJumpEvent(1000.0, 28.0, -15.0, 500.0),
+        StickEvent("simulator", None, "chosen", None, None, None),
+    )
+    others = (
+        MarkEvent("1", "Gusts", None, 1.0),
+        JournalEvent(None, None, None),
+        ConsoleEvent("received", "help"),
+        RecordingEvent(active=False, file=None),
+        ErrorEvent("internal", "A fault.", {}),
+    )
+    for event in (*noted, *others):
+        asked.flight.outlet.event(event)
     assert heard == ["gains"], "the gains are noted anew when one of them changes"
-    assert [kind for kind, _ in asked.told][-13:-5] == noted, "the stations are told all the same"
-    events = [note.content["event"] for note in asked.notes() if note.name == EVENT]
-    assert [kind for kind in events if kind != "hil"] == noted
+    assert asked.told[-15:] == [as_told(event) for event in (*noted, *others)], "the stations are told all the same"
+    notes = [note.content for note in asked.notes() if note.name == EVENT and note.content["event"] != "hil"]
+    assert [(note["event"], note["data"]) for note in notes] == [as_told(event) for event in noted]
 
 
 async def test_the_identity_names_board_firmware_station_and_person(asked: Asked) -> None:

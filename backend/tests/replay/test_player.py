@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from epf_gcs.contract.events import Event
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.status import Status
 from epf_gcs.replay.keys import Keys
@@ -37,8 +37,8 @@ class Viewer:
         self.flushes += [self._unflushed] if self._unflushed else []
         self._unflushed = 0
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
-        self.events.append(kind)
+    def event(self, event: Event, /) -> None:
+        self.events.append(event.NAME)
 
     def status(self, status: Status) -> None:
         self.statuses.append(status)

@@ -357,10 +357,9 @@ def test_a_jump_that_was_noted_is_told_once(tmp_path: Path) -> None:
         (t_ns, SIMULATOR_RECEIVED, build([Record(20, (degrees, *ROWS[20][1:]))]))
         for t_ns, degrees in ((STARTS_NS + SECOND_NS, 20.0), (STARTS_NS + 2 * SECOND_NS, 40.0))
     ]
-    note = (STARTS_NS + 2 * SECOND_NS, notes.EVENT, {"event": "simulator_jumped", "data": {"distance_m": 7}})
+    jump = {"distance_m": 7, "latitude_deg": 28.0, "longitude_deg": -15.0, "altitude_ft": 500.0}
+    note = (STARTS_NS + 2 * SECOND_NS, notes.EVENT, {"event": "simulator_jumped", "data": jump})
     outlet = KeptOutlet()
     head = Playhead(Timeline(write(tmp_path / "new.mcap", [*items, note])), outlet)
     head.advance(STARTS_NS + 3 * SECOND_NS)
-    assert [event for event in outlet.events if event[0] == "simulator_jumped"] == [
-        ("simulator_jumped", {"distance_m": 7})
-    ]
+    assert [event for event in outlet.events if event[0] == "simulator_jumped"] == [("simulator_jumped", jump)]

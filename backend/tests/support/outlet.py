@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from epf_gcs.contract.events import Event
+from tests.support.contract import as_told
+
 
 class KeptOutlet:
     """Implements `epf_gcs.vehicle.outside.Outlet`."""
@@ -23,8 +26,8 @@ class KeptOutlet:
     def flush(self) -> None:
         self.flushed += 1
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
-        self.events.append((kind, data))
+    def event(self, event: Event, /) -> None:
+        self.events.append(as_told(event))
 
     def later(self, decode: Callable[[], None]) -> bool:
         self.decode = decode

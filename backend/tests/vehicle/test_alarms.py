@@ -9,10 +9,12 @@ from typing import Any
 import pytest
 
 from epf_gcs.contract.alarm_ids import AlarmId
+from epf_gcs.contract.events import Event
 from epf_gcs.errors import GatewayError, InvalidInputError, NotFoundError
 from epf_gcs.vehicle.alarms import Alarm, Alarms
 from epf_gcs.vehicle.judges import Finding, Level
 from epf_gcs.vehicle.thresholds import THRESHOLDS
+from tests.support.contract import as_told
 from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
@@ -27,7 +29,8 @@ class Told(KeptOutlet):
         super().__init__()
         self.events: list[tuple[str, bool, bool]] = []
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
+        kind, data = as_told(event)
         assert kind == "alarm"
         self.events.append((data["id"], data["active"], data["acknowledged"]))
 

@@ -348,7 +348,7 @@ def test_what_moves_the_simulator_goes_first_and_waits_for_nobody(rig: Rig) -> N
 
 def test_a_line_of_text_is_shown_as_it_came_and_one_of_white_space_is_not(rig: Rig) -> None:
     rig.board.on_bytes(b"\r\n\t status: all is well \r\n")
-    assert rig.outlet.events == [("console", {"direction": "received", "text": "status: all is well"})]
+    assert rig.outlet.events == [("console", {"direction": "received", "text": "status: all is well", "client": None})]
     assert rig.board.damage == {"text": 2}
     rig.board.on_bytes(b"beep \x07\n\xc3\xa4\n")
     assert rig.board.damage == {"text": 2, "noise": 2}

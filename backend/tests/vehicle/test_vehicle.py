@@ -283,4 +283,4 @@ def test_text_that_waited_for_its_end_when_the_state_was_kept_is_shown_after_the
     assert flown.outlet.events == []
     again.vehicle.restore(json.loads(json.dumps(flown.vehicle.kept())))
     again.vehicle.board.tick()
-    assert again.outlet.events == [("console", {"direction": "received", "text": "prompt>"})]
+    assert again.outlet.events == [("console", {"direction": "received", "text": "prompt>", "client": None})]

@@ -92,6 +92,8 @@ def test_nothing_in_the_status_is_left_undescribed(document: dict[str, Any]) -> 
 
 def test_shapes_that_no_answer_has_are_described_with_all_their_parts(document: dict[str, Any]) -> None:
     assert document["x-shapes"]["Playback"] == {"$ref": "#/components/schemas/Playback"}
+    assert document["x-events"]["stick"] == {"$ref": "#/components/schemas/StickEvent"}
+    assert document["x-events"]["job"] == {"$ref": "#/components/schemas/Job"}
     named = set(re.findall(r'"#/components/schemas/(\w+)"', orjson.dumps(document).decode()))
     assert named <= set(document["components"]["schemas"])
     assert "Playback" in document["components"]["schemas"]

@@ -2,7 +2,7 @@ import { ABOUT, createAbout } from "../features/about/aboutRequests";
 import { ACCESS_ADMIN, createAccessAdmin } from "../features/access/accessAdmin";
 import { controlMessage } from "../features/access/controlEvents";
 import { CONTROL_PAGES, createControlPages } from "../features/access/controlPages";
-import { ACCESS_CHANGED, createEntry, ENTRY } from "../features/access/entry";
+import { createEntry, ENTRY } from "../features/access/entry";
 import { takeAddressedKey } from "../features/access/keyAddress";
 import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
@@ -42,7 +42,6 @@ import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
 import { createSelection, SELECTION } from "../missions/selection";
-import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { ACTIONS, createActions } from "../requests/actions";
@@ -155,10 +154,10 @@ export function createPage(world: World): {
     book.takeEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
-    if (message.event === ACCESS_CHANGED) {
+    if (message.event === "access") {
       review();
     }
-    if (message.event === BOARD_RESTARTED) {
+    if (message.event === "board_restarted") {
       // Its restart is reported on its own, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);
     }

@@ -1,9 +1,7 @@
-import { isText, nullable, oneOf, shape } from "../lib/check";
 import type { Waypoint } from "../lib/plan";
-import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent } from "../protocol/envelope";
 import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
-import { isMissionEvent, type PlanName } from "../protocol/missions";
+import type { PlanName } from "../protocol/missions";
 import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
@@ -136,24 +134,26 @@ function named(plan: PlanName, count: number) {
   return { what: `@planName.${plan}`, count };
 }
 
-const isRouteEvent = shape({
-  name: oneOf("hil_load_gando", "hil_load_ruta_isla", "hil_load_alternativa", "hil_load_vuelo"),
-  state: isText,
-  client: nullable(isText),
-});
+/** The commands that load one of the board's own routes. */
+const ROUTES: ReadonlySet<string> = new Set([
+  "hil_load_gando",
+  "hil_load_ruta_isla",
+  "hil_load_alternativa",
+  "hil_load_vuelo",
+]);
 
 /** Handle the stream's events about the board's plans: a plan that another client changes is no longer known here. */
 export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, client: string | null): void {
-  if (event === "mission" && isMissionEvent(data) && data.client !== client) {
+  if (event === "mission" && data.client !== client) {
     forgetBoardPlan(plans, data.plan);
   } else if (
     event === "command" &&
-    isRouteEvent(data) &&
+    ROUTES.has(data.name) &&
     // For this page's own transfer only its beginning counts: by its end the plan may have been read again.
     (data.client !== client || data.state === "pending")
   ) {
     forgetBoardPlan(plans, "hil");
-  } else if (event === BOARD_RESTARTED) {
+  } else if (event === "board_restarted") {
     forgetBoardPlan(plans, "flight");
     forgetBoardPlan(plans, "hil");
   }

@@ -1,5 +1,5 @@
 import type { StreamEvent } from "../protocol/envelope";
-import { isMissionEvent, PLANS } from "../protocol/missions";
+import { PLANS } from "../protocol/missions";
 import type { RequesterParts } from "../requests/asking";
 import type { KnownAt } from "../requests/knownAt";
 import { createPlanActions } from "./missionRequests";
@@ -24,7 +24,7 @@ export function createPastPlans(
   return {
     actions: createPlanActions(plans, saveFile, asking),
     takeEvent: ({ event, data }) => {
-      if (event === "mission" && isMissionEvent(data)) {
+      if (event === "mission") {
         // Being written or written: what the board has then is asked for when it is known.
         forgetBoardPlan(plans, data.plan);
         if (data.state !== "pending") {

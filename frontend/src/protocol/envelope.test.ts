@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { aStatus } from "../test/aStatus";
+import { anEvent, aShape } from "../test/shapes";
 import { parseMessage } from "./envelope";
 
 function parse(message: unknown) {
@@ -8,6 +9,7 @@ function parse(message: unknown) {
 
 const ahrs = { topic: "ahrs", t_s: 1700000000.5, values: { yaw_deg: 12.5, pitch_deg: null, roll_deg: -3 } };
 const batch = { type: "batch", seq: 3, t_s: 1700000000.6, missed: 0, missed_events: 0, samples: [ahrs] };
+const jumped = anEvent("simulator_jumped", aShape("SimulatorJumpEvent"));
 const hello = {
   type: "hello",
   version: "0.1.0",
@@ -34,7 +36,12 @@ describe("a message as agreed", () => {
 
   test("a status and an event pass", () => {
     expect(parse({ type: "status", data: aStatus() })?.type).toBe("status");
-    expect(parse({ type: "event", event: "command", t_s: 1, data: { name: "ahrs_on" } })?.type).toBe("event");
+    const command = anEvent("command", aShape("CommandEvent", { name: "ahrs_on" }));
+    expect(parse(command)).toEqual(command);
+  });
+
+  test.each(["added_later", "toString"])("an event that this page does not know, %s, has no name", (name) => {
+    expect(parse({ type: "event", event: name, t_s: 1, data: { any: 1 } })).toMatchObject({ event: null });
   });
 
   test("the simulator's rows come apart from the samples, a value that is not there as no data", () => {
@@ -99,6 +106,8 @@ describe("refused as a whole is", () => {
         samples: [{ topic: "xplane_rows", t_s: 1, values: { rows: { one: [] } } }],
       }),
     ],
+    ["an event without time", JSON.stringify({ ...jumped, t_s: null })],
+    ["an event whose data is not as agreed", JSON.stringify({ ...jumped, data: { distance_m: "far" } })],
     ["a hello with an unknown role", JSON.stringify({ ...hello, role: "captain" })],
     [
       "a status with a board in no known state",

@@ -1,5 +1,5 @@
-import { dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
-import { isPlayback, isStatus, type Playback, type Status } from "./guards.gen";
+import { type Checked, dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
+import { EVENT_CHECKS, isPlayback, isStatus, type Playback, type Status } from "./guards.gen";
 import { FIELD_KINDS } from "./topics";
 
 /** One message of a topic: when the gateway had it (Unix seconds of its clock) and what it said; null is "no data". */
@@ -46,12 +46,19 @@ export interface StatusMessage {
   readonly data: Status;
 }
 
-export interface StreamEvent {
-  readonly type: "event";
-  readonly event: string;
-  readonly t_s: number;
-  readonly data: Readonly<Record<string, unknown>>;
-}
+type EventName = keyof typeof EVENT_CHECKS;
+
+/** Something that happened, by its name; null is an event of a newer gateway, which this page does not know. */
+export type StreamEvent =
+  | {
+      readonly [N in EventName]: {
+        readonly type: "event";
+        readonly event: N;
+        readonly t_s: number;
+        readonly data: Checked<(typeof EVENT_CHECKS)[N]>;
+      };
+    }[EventName]
+  | { readonly type: "event"; readonly event: null; readonly t_s: number; readonly data: unknown };
 
 /** What was asked about the moment of a flight that is shown. Whoever asked checks what it is. */
 export interface AnswerMessage {
@@ -128,9 +135,17 @@ function flightOf({ flight, starts_s, duration_s }: Json): Hello["flight"] | und
     : undefined;
 }
 
-function event(value: Json): StreamEvent | null {
-  const { event: name, t_s, data } = value;
-  return isText(name) && isNumber(t_s) && isObject(data) ? { type: "event", event: name, t_s, data } : null;
+function event({ event: name, t_s, data }: Json): StreamEvent | null {
+  if (!(isText(name) && isNumber(t_s) && isObject(data))) {
+    return null;
+  }
+  if (!Object.hasOwn(EVENT_CHECKS, name)) {
+    return { type: "event", event: null, t_s, data };
+  }
+  // The check found by the name is the one of this name's data, which the compiler cannot follow.
+  return EVENT_CHECKS[name as EventName](data)
+    ? ({ type: "event", event: name, t_s, data } as StreamEvent)
+    : null;
 }
 
 const ROWS_TOPIC = "xplane_rows";

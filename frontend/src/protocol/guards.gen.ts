@@ -28,12 +28,28 @@ export const isAbout = shape({
 });
 export type About = Checked<typeof isAbout>;
 
+/** This page has another role or name now; sent to it alone. */
+export const isAccessEvent = shape({
+  name: isText,
+  role: oneOf("viewer", "operator", "owner"),
+});
+export type AccessEvent = Checked<typeof isAccessEvent>;
+
 /** Where browsers of other machines reach this station; empty where it listens on this computer alone. */
 export const isAddresses = shape({
   addresses: list(isText),
   tls: isFlag,
 });
 export type Addresses = Checked<typeof isAddresses>;
+
+/** Something new can be advised. */
+export const isAdviceEvent = shape({
+  code: isText,
+  level: oneOf("info", "warning"),
+  params: dictionary(nullable(either(isText, isNumber, isFlag))),
+  text: isText,
+});
+export type AdviceEvent = Checked<typeof isAdviceEvent>;
 
 /** Something to do about what does not go well. */
 export const isAdviceState = shape({
@@ -107,6 +123,19 @@ export const isAlarmBook = shape({
 });
 export type AlarmBook = Checked<typeof isAlarmBook>;
 
+/** An alarm came, went or was acknowledged. `active`: its cause is still there. */
+export const isAlarmEvent = shape({
+  acknowledged: isFlag,
+  active: isFlag,
+  id: isText,
+  level: oneOf("warning", "critical"),
+  params: dictionary(nullable(either(isText, isNumber, isFlag))),
+  since_s: isNumber,
+  text: isText,
+  until_s: nullable(isNumber),
+});
+export type AlarmEvent = Checked<typeof isAlarmEvent>;
+
 /** What an altitude was converted from: `height_ft` above home or the ground, whose altitude is `reference_ft`. */
 export const isAltitudeOrigin = shape({
   frame: oneOf("home", "ground"),
@@ -127,6 +156,17 @@ export const isArgument = shape({
   unit: isText,
 });
 export type Argument = Checked<typeof isArgument>;
+
+/** The board began anew in flight and lost what was not stored on its card: these gains and plans.
+ *
+ * `silent_s`: how long it was silent; null if not measured. `uptime_ms`: how long it had run when it was heard again. */
+export const isBoardRestartEvent = shape({
+  parameters: list(isText),
+  plans: list(oneOf("flight", "hil")),
+  silent_s: nullable(isNumber),
+  uptime_ms: nullable(isNumber),
+});
+export type BoardRestartEvent = Checked<typeof isBoardRestartEvent>;
 
 /** Why a link is not open. */
 export const isFailure = shape({
@@ -241,6 +281,23 @@ export const isChecklist = shape({
 });
 export type Checklist = Checked<typeof isChecklist>;
 
+/** The checklist was changed: ask for it again. */
+export const isChecklistEvent = shape({});
+export type ChecklistEvent = Checked<typeof isChecklistEvent>;
+
+/** A command was sent, or what became of it. `reason` is the board's where it refused; `not_sent`: it never left. */
+export const isCommandEvent = shape({
+  by: isText,
+  client: nullable(isText),
+  id: isNumber,
+  ms: nullable(isNumber),
+  name: isText,
+  reason: nullable(isText),
+  state: oneOf("pending", "confirmed", "rejected", "timed_out", "sent"),
+  value: list(isNumber),
+});
+export type CommandEvent = Checked<typeof isCommandEvent>;
+
 /** A command; `supported` is null while no board is connected. */
 export const isCommandInfo = shape({
   arguments: list(isArgument),
@@ -266,6 +323,14 @@ export const isCommandOutcome = shape({
   state: oneOf("confirmed", "rejected", "timed_out", "sent"),
 });
 export type CommandOutcome = Checked<typeof isCommandOutcome>;
+
+/** A line of text to or from the board; `client`: who sent it. */
+export const isConsoleEvent = shape({
+  client: optional(nullable(isText)),
+  direction: oneOf("sent", "received"),
+  text: isText,
+});
+export type ConsoleEvent = Checked<typeof isConsoleEvent>;
 
 /** A line for the board; a line end is added. */
 export const isConsoleLine = shape({
@@ -319,6 +384,48 @@ export const isControlDetails = shape({
   since_s: nullable(isNumber),
 });
 export type ControlDetails = Checked<typeof isControlDetails>;
+
+/** How events name a page; nulls for nobody. */
+export const isPageName = shape({
+  client: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
+  name: nullable(isText),
+  number: nullable(isNumber),
+});
+export type PageName = Checked<typeof isPageName>;
+
+/** Another page, or none, has control. A recording does not say the `reason`, nor who had it `before`. */
+export const isControlEvent = shape({
+  before: nullable(isPageName),
+  client: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
+  name: nullable(isText),
+  number: nullable(isNumber),
+  reason: nullable(isText),
+});
+export type ControlEvent = Checked<typeof isControlEvent>;
+
+/** What became of a page's request for control. */
+export const isControlRequestEndEvent = shape({
+  client: isText,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  result: isText,
+});
+export type ControlRequestEndEvent = Checked<typeof isControlRequestEndEvent>;
+
+/** A page asks for control. */
+export const isControlRequestEvent = shape({
+  client: isText,
+  given_at_s: nullable(isNumber),
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  role: oneOf("viewer", "operator", "owner"),
+  since_s: isNumber,
+});
+export type ControlRequestEvent = Checked<typeof isControlRequestEvent>;
 
 /** The one page that may command, null while nobody has control, and who asks for it, the longest first.
  *
@@ -508,6 +615,15 @@ export const isEarlierFlight = shape({
   times: isReportTimes,
 });
 export type EarlierFlight = Checked<typeof isEarlierFlight>;
+
+/** Something went wrong that no answer tells of. `count`: how often since the start. */
+export const isErrorEvent = shape({
+  code: isText,
+  count: isNumber,
+  detail: isText,
+  params: dictionary(nullable(either(isText, isNumber, isFlag))),
+});
+export type ErrorEvent = Checked<typeof isErrorEvent>;
 
 /** Why something could not be done. `code` is stable and translated by the page. */
 export const isFault = shape({
@@ -832,6 +948,12 @@ export const isFlightOverview = shape({
 });
 export type FlightOverview = Checked<typeof isFlightOverview>;
 
+/** The flight process was lost, or is back. */
+export const isFlightProcessEvent = shape({
+  state: oneOf("lost", "back"),
+});
+export type FlightProcessEvent = Checked<typeof isFlightProcessEvent>;
+
 /** An alarm that sounded; `lasted_s` is null where the recording ended before it did. */
 export const isReportAlarm = shape({
   at_s: isNumber,
@@ -919,6 +1041,14 @@ export const isFlightTopics = shape({
   topics: list(isFlightTopic),
 });
 export type FlightTopics = Checked<typeof isFlightTopics>;
+
+/** A gain as far as it is known: the board's value, and what it was when all were last loaded. */
+export const isGainState = shape({
+  loaded: nullable(isNumber),
+  state: oneOf("unknown", "loaded", "pending", "confirmed", "rejected"),
+  value: nullable(isNumber),
+});
+export type GainState = Checked<typeof isGainState>;
 
 /** Where the pilot's stick comes from: the simulator's rows 8 and 25, or a browser's gamepad.
  *
@@ -1064,6 +1194,29 @@ export const isJournalEntry = shape({
 });
 export type JournalEntry = Checked<typeof isJournalEntry>;
 
+/** What an undo or redo would do: from the value that was written to the one that it writes. */
+export const isParameterMove = shape({
+  after: isNumber,
+  before: isNumber,
+  name: isParameterName,
+});
+export type ParameterMove = Checked<typeof isParameterMove>;
+
+/** A new entry of the journal of gains, null where only what can be undone or redone has changed. */
+export const isJournalEvent = shape({
+  entry: nullable(isJournalEntry),
+  redo: nullable(list(isParameterMove)),
+  undo: nullable(list(isParameterMove)),
+});
+export type JournalEvent = Checked<typeof isJournalEvent>;
+
+/** The states of both links; one of them has changed. */
+export const isLinkEvent = shape({
+  board: oneOf("closed", "opening", "open", "lost"),
+  simulator: oneOf("closed", "opening", "open", "lost"),
+});
+export type LinkEvent = Checked<typeof isLinkEvent>;
+
 /** A link after it was opened. */
 export const isLinkResult = shape({
   state: oneOf("closed", "opening", "open", "lost"),
@@ -1114,6 +1267,15 @@ export const isMapLayers = shape({
 });
 export type MapLayers = Checked<typeof isMapLayers>;
 
+/** A person put words into the recording. */
+export const isMarkEvent = shape({
+  by: nullable(isText),
+  id: isText,
+  t_s: isNumber,
+  text: isText,
+});
+export type MarkEvent = Checked<typeof isMarkEvent>;
+
 /** Who the station takes the caller for; `kind`, `role` and `name` are null for a stranger. */
 export const isMe = shape({
   anyone_may_fly: isFlag,
@@ -1139,6 +1301,15 @@ export const isMission = shape({
   waypoints: list(isWaypointModel),
 });
 export type Mission = Checked<typeof isMission>;
+
+/** What becomes of a plan on its way to the board, whoever sends it; `count`: its waypoints. */
+export const isMissionEvent = shape({
+  client: nullable(isText),
+  count: isNumber,
+  plan: oneOf("flight", "hil"),
+  state: oneOf("pending", "confirmed", "rejected"),
+});
+export type MissionEvent = Checked<typeof isMissionEvent>;
 
 /** Something about the file that a person should know before flying it, with the values for the sentence.
  *
@@ -1214,13 +1385,11 @@ export const isOnlineState = shape({
 });
 export type OnlineState = Checked<typeof isOnlineState>;
 
-/** What an undo or redo would do: from the value that was written to the one that it writes. */
-export const isParameterMove = shape({
-  after: isNumber,
-  before: isNumber,
-  name: isParameterName,
+/** Gains that changed, by name. */
+export const isParameterEvent = shape({
+  parameters: dictionary(isGainState),
 });
-export type ParameterMove = Checked<typeof isParameterMove>;
+export type ParameterEvent = Checked<typeof isParameterEvent>;
 
 /** Newest first. `undo` and `redo` are what would be written now, null where there is nothing. */
 export const isParameterJournal = shape({
@@ -1293,6 +1462,13 @@ export const isProgramList = shape({
 });
 export type ProgramList = Checked<typeof isProgramList>;
 
+/** A file was begun, or none is written any more. */
+export const isRecordingEvent = shape({
+  active: isFlag,
+  file: nullable(isText),
+});
+export type RecordingEvent = Checked<typeof isRecordingEvent>;
+
 /** A file with everything that went over the lines. */
 export const isRecordingInfo = shape({
   active: isFlag,
@@ -1363,6 +1539,15 @@ export const isSignals = shape({
   to_s: isNumber,
 });
 export type Signals = Checked<typeof isSignals>;
+
+/** The simulator put its aircraft elsewhere: a reset or a new start. Feet are indicated altitude. */
+export const isSimulatorJumpEvent = shape({
+  altitude_ft: isNumber,
+  distance_m: isNumber,
+  latitude_deg: isNumber,
+  longitude_deg: isNumber,
+});
+export type SimulatorJumpEvent = Checked<typeof isSimulatorJumpEvent>;
 
 /** A value of a row that the board needs and that cannot be used: not a number, -999, or beyond its range. */
 export const isUnusableValue = shape({
@@ -1436,6 +1621,19 @@ export const isStatus = shape({
 });
 export type Status = Checked<typeof isStatus>;
 
+/** Where the stick comes from now. `client`, `name`: the page whose gamepad it is.
+ *
+ * `gamepad` also names the one whose use has just ended. */
+export const isStickEvent = shape({
+  client: nullable(isText),
+  gamepad: nullable(isText),
+  name: nullable(isText),
+  reason: oneOf("chosen", "control_lost", "lost", "back"),
+  source: oneOf("simulator", "gamepad"),
+  state: nullable(oneOf("live", "lost")),
+});
+export type StickEvent = Checked<typeof isStickEvent>;
+
 /** What the operator chose, for everybody. */
 export const isSurroundingsChoice = shape({
   ceiling_ft: nullable(isNumber),
@@ -1446,6 +1644,10 @@ export const isSurroundingsChoice = shape({
   terrain_on: isFlag,
 });
 export type SurroundingsChoice = Checked<typeof isSurroundingsChoice>;
+
+/** The fence, or what is warned of, was changed: ask for it again. */
+export const isSurroundingsEvent = shape({});
+export type SurroundingsEvent = Checked<typeof isSurroundingsEvent>;
 
 /** One limit of an alarm; its unit stands in its name too. */
 export const isThresholdState = shape({
@@ -1471,3 +1673,32 @@ export const isTrackState = shape({
   hil_points: isNumber,
 });
 export type TrackState = Checked<typeof isTrackState>;
+
+/** The check of each event's data, by the event's name. */
+export const EVENT_CHECKS = {
+  access: isAccessEvent,
+  advice: isAdviceEvent,
+  alarm: isAlarmEvent,
+  board_restarted: isBoardRestartEvent,
+  checklist: isChecklistEvent,
+  command: isCommandEvent,
+  console: isConsoleEvent,
+  control: isControlEvent,
+  control_request: isControlRequestEvent,
+  control_request_closed: isControlRequestEndEvent,
+  error: isErrorEvent,
+  flight: isFlightProcessEvent,
+  job: isJob,
+  journal: isJournalEvent,
+  link: isLinkEvent,
+  map_field: isPreparedField,
+  map_import: isMapImport,
+  mark: isMarkEvent,
+  mission: isMissionEvent,
+  parameter: isParameterEvent,
+  recording: isRecordingEvent,
+  simulator_jumped: isSimulatorJumpEvent,
+  stick: isStickEvent,
+  surroundings: isSurroundingsEvent,
+  track: isTrackState,
+};

@@ -6,6 +6,7 @@ import { afterAll, describe, expect, test } from "vitest";
 import { type ApiDocument, guardsModule, type Schema, type Schemas } from "../../scripts/guards.ts";
 import { SCHEMAS } from "../test/schemas.gen";
 import { ACCESS_TABLE } from "./access.gen";
+import * as guards from "./guards.gen";
 
 const NO_EXCEPTIONS = { openWords: [], optional: [], parameterNames: [] };
 const reference = (name: string): Schema => ({ $ref: `#/components/schemas/${name}` });
@@ -72,6 +73,18 @@ export type Plane = Checked<typeof isPlane>;
     expect(guardsModule(document, NO_EXCEPTIONS)).toContain("export const isPilot = shape(");
   });
 
+  test("has the guards of the data of all events, in a table by the events' names", () => {
+    const document = {
+      ...documentOf({ Pilot: PILOT, Other: OTHER }, []),
+      "x-events": { pilot_changed: reference("Pilot"), nothing: reference("Other") },
+    };
+    const text = guardsModule(document, NO_EXCEPTIONS);
+    expect(text).toContain("export const isOther = shape({});\n");
+    expect(text).toContain(
+      "export const EVENT_CHECKS = {\n  nothing: isOther,\n  pilot_changed: isPilot,\n};\n",
+    );
+  });
+
   test("imports what it uses", () => {
     const [head] = guardsModule(documentOf({ Pilot: PILOT }), NO_EXCEPTIONS).split("\n\n");
     expect(head).toContain('import { type Checked, isText, shape } from "../lib/check";');
@@ -118,6 +131,14 @@ for (const { path, method, tag, least, control } of ACCESS_TABLE) {
   };
 }
 
+/** The events of which the committed guards were made. */
+const SCHEMA_OF = new Map<unknown, string>(
+  Object.entries(guards).map(([name, check]) => [check, name.slice("is".length)]),
+);
+const EVENTS = Object.fromEntries(
+  Object.entries(guards.EVENT_CHECKS).map(([event, check]) => [event, reference(SCHEMA_OF.get(check) ?? "")]),
+);
+
 describe("the check of what was generated", () => {
   const folder = mkdtempSync(join(tmpdir(), "guards-"));
   afterAll(() => rmSync(folder, { recursive: true, force: true }));
@@ -126,7 +147,8 @@ describe("the check of what was generated", () => {
     const file = join(folder, "openapi.json");
     const answers = Object.keys(schemas).filter((name) => name !== "Problem");
     const shapes = Object.fromEntries(answers.map((name) => [name, reference(name)]));
-    writeFileSync(file, JSON.stringify({ paths: ROUTES, components: { schemas }, "x-shapes": shapes }));
+    const document = { paths: ROUTES, components: { schemas }, "x-shapes": shapes, "x-events": EVENTS };
+    writeFileSync(file, JSON.stringify(document));
     const script = join(import.meta.dirname, "../../scripts/generate-api.mjs");
     const { status, stderr } = spawnSync(process.execPath, [script, "--check", file], { encoding: "utf8" });
     return { status, stderr };

@@ -1,20 +1,10 @@
-import { isText, nullable, oneOf, shape } from "../lib/check";
 import type { WaypointField } from "../lib/plan";
 import type { PlanLimits } from "../lib/planCheck";
-import { isMission, type Mission } from "./guards.gen";
+import type { Mission } from "./guards.gen";
 import { COMMANDS } from "./messages.gen";
 
 export type PlanName = Mission["plan"];
 export const PLANS = ["flight", "hil"] as const satisfies readonly PlanName[];
-
-const { plan } = isMission.fields;
-
-/** What becomes of a plan on its way to the board, whoever sends it. */
-export const isMissionEvent = shape({
-  plan,
-  state: oneOf("pending", "confirmed", "rejected"),
-  client: nullable(isText),
-});
 
 /** The form in which other programs keep plans. */
 export const PLAN_FORMATS = ["kml", "kmz", "gpx", "csv", "plan"] as const;

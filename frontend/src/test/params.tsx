@@ -1,9 +1,8 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { ParamsView } from "../features/parameters/ParamsView";
-import type { ParameterList } from "../protocol/guards.gen";
+import type { GainState, ParameterList } from "../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
-import type { HeldParameter } from "../protocol/parameters";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
 import { aStatus } from "./aStatus";
@@ -12,7 +11,7 @@ import { type FakeRequest, Station } from "./station";
 export const user = userEvent.setup();
 export let station: Station;
 
-export type GainStates = Partial<Record<ParameterName, Partial<HeldParameter>>>;
+export type GainStates = Partial<Record<ParameterName, Partial<GainState>>>;
 
 /** The gateway's list when the board has its defaults except for these. */
 export function listed(known: GainStates = {}): ParameterList {

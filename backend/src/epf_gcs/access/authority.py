@@ -14,13 +14,12 @@ from epf_gcs.access.changes import (
     HolderChange,
     KeptOver,
     Page,
-    Reason,
     RequestEnd,
     RequestStart,
-    Result,
     StickLoss,
 )
 from epf_gcs.access.roles import Role
+from epf_gcs.contract.events import ControlReason, RequestResult
 
 UNANSWERED_S: Final = 10.0
 """A holder who neither answers nor does anything for so long has left the page alone."""
@@ -256,7 +255,7 @@ class Authority:
         if self.holder is not None and (self.holder.client, self.holder.session) != (client, session):
             raise refusals.held(self.holder)
 
-    def _give(self, page: Page, reason: Reason, now_s: float) -> None:
+    def _give(self, page: Page, reason: ControlReason, now_s: float) -> None:
         before = self.holder
         self._let_stick_go()
         self.holder, self.hung = page, None
@@ -265,12 +264,12 @@ class Authority:
         self._close(page, "given")
         self._effects.append(HolderChange(page, reason, before))
 
-    def _free(self, reason: Reason) -> None:
+    def _free(self, reason: ControlReason) -> None:
         before, self.holder, self.hung = self.holder, None, None
         self._let_stick_go()
         self._effects.append(HolderChange(None, reason, before))
 
-    def _lose(self, reason: Reason, now_s: float) -> None:
+    def _lose(self, reason: ControlReason, now_s: float) -> None:
         self.last = self.holder
         self.kept_until_s = now_s + KEPT_S
         self._free(reason)
@@ -312,7 +311,7 @@ class Authority:
     def _longest_asker(self) -> Page | None:
         return next((self.pages[client] for client in self.requests if client not in self.silent_pages), None)
 
-    def _close(self, page: Page, result: Result) -> None:
+    def _close(self, page: Page, result: RequestResult) -> None:
         if self.requests.pop(page.client, None) is not None:
             self._effects.append(RequestEnd(page, result))
 

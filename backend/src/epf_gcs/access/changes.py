@@ -3,26 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 from epf_gcs.access.caller import LOCAL_SESSION, CallerKind
 from epf_gcs.access.roles import Role
-
-Reason = Literal[
-    "first",  # it came while nobody had control
-    "back",  # who had lost it returned
-    "asked",  # it asked while nobody had it, or asked longest when it became free
-    "taken",  # an owner took it
-    "granted",
-    "handed_over",
-    "unanswered",  # the holder neither answered nor did anything
-    "waited",  # nobody came back for it: another page of the same session
-    "released",
-    "lost",  # the holder's stream is closed
-    "silent",  # nothing is heard of the holder
-    "ended",  # the holder's session, key or role is no longer good
-]
-Result = Literal["given", "refused", "withdrawn", "gone"]
+from epf_gcs.contract.events import ControlReason, RequestResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +41,7 @@ class HolderChange:
     """`page` has control now, None: nobody. `before` had it."""
 
     page: Page | None
-    reason: Reason
+    reason: ControlReason
     before: Page | None
 
 
@@ -80,7 +64,7 @@ class RequestEnd:
     """What became of it."""
 
     page: Page
-    result: Result
+    result: RequestResult
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from epf_gcs.access.roles import Role, RoleName
 from epf_gcs.access.watch import LOOK_EVERY_S, Line, Watch
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
+from epf_gcs.contract.events import ControlEvent, ControlRequestEndEvent, ControlRequestEvent, Event, PageName
 from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.contract.notices import ControlChange, Notice, StickRelease
 from epf_gcs.contract.status import ControlRequest, ControlReservation, ControlState
@@ -34,7 +35,7 @@ _NAMELESS: Final[dict[str, Any]] = {"client": None, "name": None, "kind": None, 
 class ControlListener(Protocol):
     """Who hears of changes."""
 
-    def event(self, kind: str, data: dict[str, Any]) -> None:
+    def event(self, event: Event) -> None:
         """All viewers."""
 
     def notice(self, notice: Notice) -> None:
@@ -273,17 +274,17 @@ class Control:
                     if reason == "ended":
                         self._loop.call_later(KEPT_S, self.tell_flight)
                     self.on_holder(effect)
-                    before_fields = None if before is None else fields(before)
-                    self._told.event("control", {**fields(page), "reason": reason, "before": before_fields})
+                    named = None if before is None else PageName(**fields(before))
+                    self._told.event(ControlEvent(**fields(page), reason=reason, before=named))
                 case KeptOver():
                     self.tell_flight()
                 case StickLoss(client):
                     self._stick_at = None
                     gone.append(client)
                 case RequestStart(page):
-                    self._told.event("control_request", asdict(self._request(page)))
+                    self._told.event(ControlRequestEvent(**asdict(self._request(page))))
                 case RequestEnd(page, result):
-                    self._told.event("control_request_closed", {**fields(page), "result": result})
+                    self._told.event(ControlRequestEndEvent(**fields(page), result=result))
             self._told.changed()
         # After the holder, which says whether the choice of that gamepad has ended or only its samples.
         for client in gone:

@@ -34,6 +34,7 @@ from typing import Any, Final, NamedTuple, TypeVar
 import msgspec
 import orjson
 
+from epf_gcs.contract.events import Event
 from epf_gcs.contract.notices import Notice
 from epf_gcs.contract.requests import Request
 
@@ -80,13 +81,6 @@ class Client:
     about: dict[str, Any] = field(default_factory=dict, compare=False)
 
 
-def client_fields(client: Client | None) -> dict[str, str | None]:
-    """How events name a client, or nobody."""
-    if client is None:
-        return {"client": None, "name": None}
-    return {"client": client.id, "name": client.name}
-
-
 class BusError(Exception):
     """The other side sent something that is not this stream: the connection must be closed."""
 
@@ -118,10 +112,15 @@ def pack_sample(topic: str, t_s: float, values: Any) -> bytes:
     return _HEADER.pack(_STAMP.size + len(name) + len(text), Kind.SAMPLE) + _STAMP.pack(t_s, len(name)) + name + text
 
 
-def pack_event(kind: str, t_s: float, data: Any) -> bytes:
+def event_text(name: str, t_s: float, data: Any) -> bytes:
+    """An event as viewers are told it: JSON."""
+    return orjson.dumps({"type": "event", "event": name, "t_s": t_s, "data": data})
+
+
+def pack_event(event: Event, t_s: float) -> bytes:
     """Something that happened."""
-    name = kind.encode()
-    text = orjson.dumps({"type": "event", "event": kind, "t_s": t_s, "data": data})
+    name = event.NAME.encode()
+    text = event_text(event.NAME, t_s, event)
     return pack(Kind.EVENT, _STAMP.pack(t_s, len(name)) + name + text)
 
 

@@ -27,6 +27,7 @@ from epf_gcs.bus.definition import (
     unpack_numbered,
 )
 from epf_gcs.bus.faults import fault_of
+from epf_gcs.contract.events import Event
 from epf_gcs.contract.hello import Hello
 from epf_gcs.contract.notices import Notice, Pace
 from epf_gcs.contract.playback import Playback
@@ -108,11 +109,11 @@ class Broadcast:
             self._decode = decode
         return True
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
         """Something happened."""
         if self._rates_hz:
             self.send_gathered()
-            self._send(pack_event(kind, self._now_s(), data))
+            self._send(pack_event(event, self._now_s()))
 
     def status(self, status: Status) -> None:
         """The state of links, HIL, recording, alarms, errors and topics."""

@@ -16,6 +16,7 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.vehicle_end import VehicleEnd
 from epf_gcs.contract.alarm_ids import AlarmId
+from epf_gcs.contract.events import BoardRestartEvent, ErrorEvent, LinkEvent
 from epf_gcs.contract.hello import ControlHolder, Hello
 from epf_gcs.contract.status import Status
 from epf_gcs.error_log import ErrorLog
@@ -75,7 +76,7 @@ class Flight:
         self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
         log_and_count_failures(self._loop, "flight", lambda: self.errors.count("internal"))
-        self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
+        self.errors.tell_viewers(self.clock.steady_s, lambda *told: self.outlet.event(ErrorEvent.of(*told)))
         self.memory = Memory(data_dir / "state.json", self.errors.report)
 
         # The vehicle, recorded before it is decoded.
@@ -327,8 +328,8 @@ class Flight:
         """The board lost what was not stored on its card: report what that was."""
         self._log.board_restarted(restart.uptime_ms)
         self._known.forget_plans()
-        lost = {"parameters": list(self.parameters.take_unstored()), "plans": list(self.missions.take_known())}
-        self.outlet.event("board_restarted", {"silent_s": None, "uptime_ms": restart.uptime_ms, **lost})
+        parameters, plans = list(self.parameters.take_unstored()), list(self.missions.take_known())
+        self.outlet.event(BoardRestartEvent(uptime_ms=restart.uptime_ms, parameters=parameters, plans=plans))
 
     def _on_acknowledged(self, alarm: AlarmId) -> None:
         if alarm == "parameter_not_confirmed":
@@ -342,6 +343,6 @@ class Flight:
             self._known.forget_plans()
         self.commands.link_changed()
         self._housekeeping.log_links()
-        self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
+        self.outlet.event(LinkEvent(self.supervisor.state, self.simulator.state))
         # At once: viewers must know the new link state before its first samples, above all that they are emulated.
         self._send_status()

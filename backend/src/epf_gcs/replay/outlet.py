@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, Protocol
 
+from epf_gcs.contract.events import Event
 from epf_gcs.vehicle.outside import Values
 
 Sample = tuple[str, float, Values]
@@ -19,7 +20,7 @@ class Sink(Protocol):
     def flush(self) -> None:
         """Send the samples."""
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
         """Something happened."""
 
 
@@ -52,11 +53,11 @@ class ReplayOutlet:
     def flush(self) -> None:
         """Nothing: the replay's own pace says when samples are given."""
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
         """Pass it on, after the samples before it."""
         if self.is_open:
             self.give()
-            self._sink.event(kind, data)
+            self._sink.event(event)
 
     def later(self, decode: Callable[[], None]) -> bool:
         """A replay decodes at the moment that it has reached."""
@@ -89,7 +90,7 @@ class Silence:
     def flush(self) -> None:
         """Nothing."""
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
         """Nothing."""
 
     def later(self, decode: Callable[[], None]) -> bool:

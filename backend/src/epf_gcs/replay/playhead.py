@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.contract.events import ErrorEvent, noted_event
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings import notes
@@ -67,7 +68,7 @@ class Playhead:
         self.clock = RecordedClock()
         self.known = RecordedState()
         self.errors = ErrorLog()
-        self.errors.tell_viewers(self.clock.steady_s, outlet.event)
+        self.errors.tell_viewers(self.clock.steady_s, lambda *told: outlet.event(ErrorEvent.of(*told)))
         self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s)
         self._ahrs_test = RecordedAhrsTest(self.vehicle)
         self._sent = FrameDecoder(TO_BOARD)
@@ -264,12 +265,12 @@ class Playhead:
         elif (
             note.name == notes.EVENT
             and isinstance(content, dict)
-            and content.get("event") != "hil"
             and isinstance(content.get("data"), dict)
+            and (event := noted_event(str(content.get("event")), content["data"])) is not None
         ):
             # In its place in the file, with the time that it has.
             here_ns, self.clock.t_ns = self.clock.t_ns, note.t_ns
-            self._outlet.event(str(content.get("event")), content["data"])
+            self._outlet.event(event)
             self.clock.t_ns = here_ns
 
     def _lines_changed(self, before: dict[str, dict[str, Any]]) -> None:

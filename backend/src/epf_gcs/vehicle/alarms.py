@@ -9,6 +9,7 @@ from typing import Any, Final, Literal
 
 from epf_gcs.contract.alarm_ids import AlarmId
 from epf_gcs.contract.answers import PastAlarm
+from epf_gcs.contract.events import AlarmEvent
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.errors import InvalidInputError, NotFoundError
 from epf_gcs.vehicle.judges import Finding
@@ -182,7 +183,7 @@ class Alarms:
             self._on_past(alarm)
 
     def _tell(self, alarm: Alarm, news: News) -> None:
-        self._outlet.event("alarm", {**asdict(alarm.state), "active": alarm.until_s is None})
+        self._outlet.event(AlarmEvent(**asdict(alarm.state), active=alarm.until_s is None))
         if self.on_news is not None:
             self.on_news(news, alarm)
 

@@ -10,6 +10,7 @@ from typing import Any, Final, Protocol
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
 from epf_gcs.codec.values import Json, Meaning
+from epf_gcs.contract.events import ConsoleEvent
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
@@ -271,15 +272,12 @@ class Board:
 
     def _take_damage(self, damage: Damage) -> None:
         text = _as_text(damage)
-        if text is not None:
-            self.damage["text"] += 1
-            if text:
-                if self.session.state is SessionState.OPENING:
-                    self._restart.heard_text()
-                self._event("console", {"direction": "received", "text": text})
-            return
-        self.damage[damage.kind] += 1
-        if damage.kind != "remains":
+        self.damage[damage.kind if text is None else "text"] += 1
+        if text:
+            if self.session.state is SessionState.OPENING:
+                self._restart.heard_text()
+            self._event(ConsoleEvent("received", text))
+        elif text is None and damage.kind != "remains":
             self._errors.report(
                 LinkError(
                     "line_garbage",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
+from epf_gcs.contract.events import Event
+
 Values = Mapping[str, Any]
 
 
@@ -27,7 +29,7 @@ class Outlet(Protocol):
     def flush(self) -> None:
         """Send the samples taken since the last `flush`."""
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
         """Something happened that every viewer should hear of."""
 
     def later(self, decode: Callable[[], None]) -> bool:

@@ -12,6 +12,7 @@ from operator import itemgetter
 from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.contract.events import SimulatorJumpEvent
 from epf_gcs.earth import distance_m
 from epf_gcs.units import M_PER_FT, MPS_PER_KT
 from epf_gcs.xplane.datagram import Eight
@@ -20,7 +21,6 @@ from epf_gcs.xplane.mapping import in_our_unit, row_meaning
 MOTION_ROWS: Final = frozenset({3, 4, 16, 17, 20})
 """Speed, climb, rates, attitude and position: in flight each of them changes from frame to frame."""
 
-JUMPED: Final = "simulator_jumped"
 """The event that tells viewers of a jump. A recording notes it."""
 
 _SPEED_ROW: Final = 3
@@ -62,15 +62,10 @@ class Jump:
     distance_m: float
     to: Place
 
-    def as_event(self) -> dict[str, Any]:
-        """The data of the event JUMPED."""
+    def as_event(self) -> SimulatorJumpEvent:
+        """What viewers and the recording are told."""
         place = self.to
-        return {
-            "distance_m": round(self.distance_m),
-            "latitude_deg": place.latitude_deg,
-            "longitude_deg": place.longitude_deg,
-            "altitude_ft": place.altitude_ft,
-        }
+        return SimulatorJumpEvent(round(self.distance_m), place.latitude_deg, place.longitude_deg, place.altitude_ft)
 
 
 class SimulatorMotion:

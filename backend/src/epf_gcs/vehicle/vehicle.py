@@ -13,7 +13,7 @@ from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
-from epf_gcs.vehicle.simulator_motion import JUMPED, Jump
+from epf_gcs.vehicle.simulator_motion import Jump
 from epf_gcs.vehicle.simulator_samples import SIMULATOR_TOPICS, SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
 
@@ -38,7 +38,7 @@ class Vehicle:
     def _tell_jump(self, jump: Jump) -> None:
         """Example values jump when they begin again: of those nothing is told."""
         if not self.board.is_emulated:
-            self._outlet.event(JUMPED, jump.as_event())
+            self._outlet.event(jump.as_event())
 
     def newest(self) -> dict[str, Sample]:
         """The newest sample of every topic with its age. Those of a paused simulator are stale."""

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib.resources import files
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 from fastapi import APIRouter, FastAPI
 from fastapi.openapi.utils import get_openapi
 from fastapi.responses import HTMLResponse, Response
-from pydantic.json_schema import models_json_schema
+from pydantic import TypeAdapter
 
 from epf_gcs import __version__
 from epf_gcs.access.roles import OPEN, Role
 from epf_gcs.contract.shapes import Output, Problem
+from epf_gcs.web.interface.events import EVENTS
 from epf_gcs.web.interface.flights import schemas as flights
 from epf_gcs.web.serving.access_table import MESSAGES, ROUTES, STREAMS, Entry
 from epf_gcs.web.serving.problems import MEDIA_TYPE
@@ -134,12 +135,21 @@ def describe(app: FastAPI) -> dict[str, Any]:
         schemas.pop("HTTPValidationError", None)
         schemas.pop("ValidationError", None)
         schemas.setdefault("Problem", Problem.model_json_schema())
-        references, parts = models_json_schema([(shape, "serialization") for shape in SHAPES], ref_template=_REFERENCE)
-        schema["x-shapes"] = {shape.__name__: references[shape, "serialization"] for shape in SHAPES}
-        for name, part in parts["$defs"].items():
-            schemas.setdefault(name, part)
+        schema["x-shapes"] = _described({shape.__name__: shape for shape in SHAPES}, schemas)
+        schema["x-events"] = _described(EVENTS, schemas)
         app.openapi_schema = schema
     return app.openapi_schema
+
+
+def _described(shapes: Mapping[str, type[Any]], schemas: dict[str, Any]) -> dict[str, Any]:
+    """A reference for each of these shapes; their schemas are added to `schemas`."""
+    asked: list[tuple[str, Literal["serialization"], TypeAdapter[Any]]] = [
+        (name, "serialization", TypeAdapter(shape)) for name, shape in shapes.items()
+    ]
+    references, parts = TypeAdapter.json_schemas(asked, ref_template=_REFERENCE)
+    for name, part in parts.get("$defs", {}).items():
+        schemas.setdefault(name, part)
+    return {name: references[name, "serialization"] for name in shapes}
 
 
 def _say_who_may(operation: dict[str, Any], entry: Entry) -> None:

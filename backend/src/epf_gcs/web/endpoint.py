@@ -14,9 +14,10 @@ from epf_gcs import __version__
 from epf_gcs.access.caller import Caller
 from epf_gcs.access.changes import Page
 from epf_gcs.access.control import Control, fields
-from epf_gcs.access.roles import Role
+from epf_gcs.access.roles import Role, name_of
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
+from epf_gcs.contract.events import AccessEvent, ErrorEvent
 from epf_gcs.contract.notices import StickSample
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ErrorCode, GatewayError
@@ -168,7 +169,7 @@ class StreamConversation:
         """Its page has another role or name: say so to it."""
         if self._open is not None:
             self._open = replace(self._open, page=page)
-            event = self._parts.hub.event_text("access", {"role": page.role.name, "name": page.name})
+            event = self._parts.hub.event_text(AccessEvent(name_of(page.role), page.name))
             self._open.viewer.offer_event(event)
             self._parts.hub.serve(self._open.viewer)
 
@@ -181,7 +182,7 @@ class StreamConversation:
         if fault is not None:
             code, detail = fault
             self._parts.errors.count(code)
-            event = self._parts.hub.event_text("error", {"code": code, "detail": detail, "params": {}, "count": 1})
+            event = self._parts.hub.event_text(ErrorEvent(code, detail, {}))
             self._open.viewer.offer_event(event)
             self._parts.hub.serve(self._open.viewer)
 

@@ -19,6 +19,7 @@ from epf_gcs.access.changes import HolderChange
 from epf_gcs.access.control import Control
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
+from epf_gcs.contract.events import ErrorEvent, Event
 from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.contract.notices import Notice, Pace
 from epf_gcs.contract.requests import ReadInspector
@@ -62,21 +63,21 @@ class Station:
         self._here = asyncio.Event()
         self.clock = clock
         self.hub = Hub(loop, self.clock.now_s, on_rate=self._rate_changed)
-        errors.tell_viewers(self.clock.steady_s, self.hub.event)
+        errors.tell_viewers(self.clock.steady_s, lambda *told: self.hub.event(ErrorEvent.of(*told)))
         self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)
         self.vehicle = StationEnd(data_dir, self.mirror, silent_after_s=_SILENT_S)
         self.control = Control(loop, self.clock, self, by_silence=control_by_silence)
         self.streams = OpenStreams(self.control)
-        self.tracks = Tracks(self.mirror, self.hub.event, self.clock, data_dir / "track", errors.report)
-        self.maps = Maps(data_dir, self.hub.event, self.clock, errors.report)
+        self.tracks = Tracks(self.mirror, self.hub.say, self.clock, data_dir / "track", errors.report)
+        self.maps = Maps(data_dir, self.hub.say, self.clock, errors.report)
         self.surroundings = Surroundings(
             self.mirror, self.maps, KeptSurroundings(data_dir), self.clock.now_s, self.vehicle.notice
         )
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state)
-        self.fields = Fields(self.maps, self.hub.event, errors.report)
+        self.fields = Fields(self.maps, self.hub.say, errors.report)
         self.flights = Flights(
             Places(data_dir),
-            Jobs(self.hub.event),
+            Jobs(self.hub.say),
             self.clock,
             PolicyChoice(self.vehicle.ask),
             AircraftNameChoice(self.vehicle.ask),
@@ -194,9 +195,9 @@ class Station:
         self.vehicle.notice(Pace(self.hub.rate_hz))
         self._here.set()
 
-    def event(self, kind: str, data: dict[str, Any]) -> None:
+    def event(self, event: Event) -> None:
         """For `Control`: tell all viewers."""
-        self.hub.event(kind, data)
+        self.hub.event(event)
 
     def notice(self, notice: Notice) -> None:
         """For `Control`: tell the flight process."""

@@ -13,11 +13,13 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import COMMANDS, PARAMETERS
 from epf_gcs.codec.tables import Message
 from epf_gcs.contract.answers import CommandOutcome
+from epf_gcs.contract.events import Event
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.telemetry import Telemetry
+from tests.support.contract import as_told
 from tests.support.held import ALL_FEATURES, HEARTBEAT, HeldClock, HeldLine, open_session
 from tests.support.outlet import KeptOutlet
 from tests.support.waiting import eventually_async
@@ -39,7 +41,8 @@ class Told(KeptOutlet):
         self.events: list[tuple[str, str, str | None]] = []
         self.stories: list[Mapping[str, Any]] = []
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
+        kind, data = as_told(event)
         if kind == "command":
             self.events.append((data["name"], data["state"], data["reason"]))
             self.stories.append(data)

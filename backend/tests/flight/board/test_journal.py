@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +10,11 @@ import pytest
 
 from epf_gcs.clock import Clock
 from epf_gcs.contract.answers import ParameterChange
+from epf_gcs.contract.events import Event
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.vehicle.journal import Steps
+from tests.support.contract import as_told
 from tests.support.files import the_one_like
 from tests.support.outlet import KeptOutlet
 
@@ -29,9 +30,10 @@ class Told(KeptOutlet):
         super().__init__()
         self.events: list[dict[str, Any]] = []
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
+        kind, data = as_told(event)
         assert kind == "journal"
-        self.events.append(orjson.loads(orjson.dumps(data)))
+        self.events.append(data)
 
 
 def a_journal(path: Path) -> tuple[Journal, Told, list[GatewayError]]:

@@ -12,10 +12,12 @@ import pytest
 
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.events import Event
 from epf_gcs.errors import BoardError, ConflictError
 from epf_gcs.flight.board import commands
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
+from tests.support.contract import as_told
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
 
@@ -133,7 +135,8 @@ def _told(station: Flight, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, .
     """What viewers hear from now on of plans, and of commands."""
     heard: list[tuple[Any, ...]] = []
 
-    def event(kind: str, data: dict[str, Any]) -> None:
+    def event(event: Event) -> None:
+        kind, data = as_told(event)
         if kind == "mission":
             heard.append((data["state"], data["count"], data["client"]))
         elif kind == "command":

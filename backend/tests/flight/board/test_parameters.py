@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -14,10 +14,12 @@ from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.codec.frame import Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.contract.answers import CommandOutcome, ParameterMove
+from epf_gcs.contract.events import Event, ParameterEvent
 from epf_gcs.errors import BoardError, ConflictError, LinkError
 from epf_gcs.flight.board import commands
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
+from tests.support.contract import as_told
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
 
@@ -293,7 +295,8 @@ async def told(station: Flight, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """What the viewers hear from now on, each event in a word or two."""
     heard: list[str] = []
 
-    def event(kind: str, data: dict[str, Any]) -> None:
+    def event(event: Event) -> None:
+        kind, data = as_told(event)
         if kind in ("command", "parameter", "journal"):
             names = data["name"] if kind == "command" else ""
             heard.append(" ".join(word for word in (kind, names, data.get("state", "")) if word))
@@ -362,12 +365,12 @@ async def test_viewers_are_told_only_of_gains_that_changed(
     tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: list[set[str]] = []
-    event = Broadcast.event
+    tell = Broadcast.event
 
-    def note(self: Broadcast, kind: str, data: Mapping[str, Any]) -> None:
-        if kind == "parameter":
-            told.append(set(data["parameters"]))
-        event(self, kind, data)
+    def note(self: Broadcast, event: Event) -> None:
+        if isinstance(event, ParameterEvent):
+            told.append(set(event.parameters))
+        tell(self, event)
 
     async with a_station(tmp_path, board) as station:
         await station.parameters.load(None)
@@ -481,7 +484,8 @@ async def test_viewers_hear_how_each_gain_of_a_write_ended_and_why_and_who_asked
 ) -> None:
     heard: list[tuple[Any, ...]] = []
 
-    def event(kind: str, data: dict[str, Any]) -> None:
+    def event(event: Event) -> None:
+        kind, data = as_told(event)
         if kind == "command":
             heard.append(tuple(data[field] for field in ("name", "value", "state", "by", "reason", "client")))
 

@@ -18,6 +18,7 @@ from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.link.address import EMULATION, parse_address
 from epf_gcs.xplane.datagram import Record, Surfaces, build, release_datagram, surfaces_datagram
+from tests.support.contract import as_told
 from tests.support.fake_board import FakeBoard
 from tests.support.ports import free_udp_port
 from tests.support.simulator import ROWS, WHOLE, Simulator
@@ -264,7 +265,7 @@ async def test_an_aircraft_that_is_put_elsewhere_is_an_event_for_every_viewer(
     station: Flight, simulator: Simulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kept: list[tuple[str, Mapping[str, Any]]] = []
-    monkeypatch.setattr(station.outlet, "event", lambda kind, data: kept.append((kind, data)))
+    monkeypatch.setattr(station.outlet, "event", lambda event: kept.append(as_told(event)))
     simulator.send(WHOLE)
     await eventually_async(lambda: station.simulator.datagrams == 1, "it is heard")
     elsewhere = {**ROWS, 20: (28.4532, -13.8661, *ROWS[20][2:])}

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.contract.events import ErrorEvent, Event
 from epf_gcs.errors import LinkError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import Profile, SimulatorAddress
@@ -38,9 +40,13 @@ def state(station: Flight) -> str:
     return station.simulator.state
 
 
+def errors_of(event: Event) -> list[dict[str, Any]]:
+    return [asdict(event)] if isinstance(event, ErrorEvent) else []
+
+
 async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[Mapping[str, Any]] = []
-    monkeypatch.setattr(Broadcast, "event", lambda _, kind, data: told.append(data) if kind == "error" else None)
+    monkeypatch.setattr(Broadcast, "event", lambda _, event: told.extend(errors_of(event)))
     station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
@@ -102,7 +108,7 @@ async def test_many_strangers_are_counted_one_by_one_and_told_where_the_simulato
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: list[Mapping[str, Any]] = []
-    monkeypatch.setattr(Broadcast, "event", lambda _, kind, data: told.append(data) if kind == "error" else None)
+    monkeypatch.setattr(Broadcast, "event", lambda _, event: told.extend(errors_of(event)))
     station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()

@@ -9,12 +9,14 @@ from typing import Any
 import pytest
 
 from epf_gcs.bus.definition import Client
+from epf_gcs.contract.events import Event
 from epf_gcs.contract.notices import ControlChange, StickRelease, StickSample
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.hil import stick as stick_module
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.requests.hil import take_stick_notice
 from epf_gcs.xplane.datagram import Surfaces
+from tests.support.contract import as_told
 from tests.support.waiting import DEADLINE_S
 
 pytestmark = pytest.mark.anyio
@@ -47,7 +49,8 @@ class Seat:
     def now_s(self) -> float:
         return self.time_s
 
-    def event(self, kind: str, data: Any) -> None:
+    def event(self, event: Event, /) -> None:
+        kind, data = as_told(event)
         assert kind == "stick"
         self.reasons.append(data["reason"])
         self.told.append(data)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.contract.answers import AircraftName, DiskPolicy
+from epf_gcs.contract.events import ConsoleEvent, Event
 from epf_gcs.contract.requests import ChooseDiskPolicy, NameAircraft, SetMark
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
@@ -29,11 +28,11 @@ pytestmark = pytest.mark.anyio
 
 async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[tuple[str, float]] = []
-    event = Broadcast.event
+    tell = Broadcast.event
 
-    def note(self: Broadcast, kind: str, data: Mapping[str, Any]) -> None:
-        told.append((kind, self._now_s()))
-        event(self, kind, data)
+    def note(self: Broadcast, event: Event) -> None:
+        told.append((event.NAME, self._now_s()))
+        tell(self, event)
 
     monkeypatch.setattr(Broadcast, "event", note)
     flight = Flight(tmp_path)
@@ -98,10 +97,8 @@ async def test_of_the_console_is_noted_what_a_person_sent_for_the_rest_is_in_the
     async with flight.running():
         await flight.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
-        flight.outlet.event("console", {"direction": "received", "text": "ready"})
-        flight.outlet.event("console", {"direction": "sent", "text": "help"})
-        for kind in ("about", "track"):
-            flight.outlet.event(kind, {"direction": "sent", "text": "elsewhere"})
+        flight.outlet.event(ConsoleEvent("received", "ready"))
+        flight.outlet.event(ConsoleEvent("sent", "help"))
     (file,) = (tmp_path / "recordings").glob("*.mcap")
     told = [note.content["data"] for note in notes_of(file) if note.name == EVENT]
     assert [one["text"] for one in told if "text" in one and "direction" in one] == ["help"]

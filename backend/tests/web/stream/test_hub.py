@@ -8,6 +8,7 @@ from typing import Any
 import orjson
 import pytest
 
+from epf_gcs.contract.events import ConsoleEvent, FlightProcessEvent, LinkEvent
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.viewer import MAX_UNDER_WAY, Viewer
 from tests.support.held_loop import HeldLoop
@@ -154,19 +155,19 @@ async def test_events_are_kept_in_order_and_too_many_are_counted(hub: Hub) -> No
         put(hub, "ahrs", float(number), {"n": number})
         screen.viewer.flush()
     for number in range(300):
-        hub.event("console", {"number": number})
+        hub.event(ConsoleEvent("received", str(number)))
     screen.stopped = False
     screen.viewer.acknowledge(MAX_UNDER_WAY)
     hub.serve(screen.viewer)
     await eventually_async(lambda: screen.messages[-1]["type"] == "batch" and len(screen.messages) > 10, "they arrive")
-    numbers = [message["data"]["number"] for message in screen.messages if message["type"] == "event"]
+    numbers = [int(message["data"]["text"]) for message in screen.messages if message["type"] == "event"]
     assert numbers == list(range(44, 300))
     assert screen.batches[-1]["missed_events"] == 44
 
 
 async def test_an_event_and_a_status_are_followed_by_a_batch_that_counts_for_them(hub: Hub) -> None:
     screen = a_screen(hub)
-    hub.event("link", {"board": "open"})
+    hub.event(LinkEvent("open", "closed"))
     hub.status(b'{"type":"status","data":{}}')
     await eventually_async(lambda: len(screen.messages) >= 3, "they arrive")
     assert [message["type"] for message in screen.messages] == ["event", "status", "batch"]
@@ -260,9 +261,9 @@ async def test_a_viewer_that_fails_costs_the_others_nothing(hub: Hub) -> None:
         raise ZeroDivisionError
 
     bad.send = fail  # type: ignore[assignment, method-assign]
-    hub.event("alarm", {"id": "x"})
+    hub.event(FlightProcessEvent("lost"))
     await eventually_async(lambda: bool(good.events), "the other one hears it")
     assert failures == ["a viewer of the stream"]
-    hub.event("alarm", {"id": "y"})
+    hub.event(FlightProcessEvent("back"))
     await eventually_async(lambda: len(good.events) == 2, "and all that follows")
     assert len(failures) == 1

@@ -1,15 +1,14 @@
 import { expect, test } from "vitest";
+import type { PageName } from "../../protocol/guards.gen";
+import { anEvent, aShape } from "../../test/shapes";
 import { controlMessage } from "./controlEvents";
 
-const ana = { client: "a", name: "Ana · tableta", kind: "person", number: 1 };
-const station = { client: "s", name: "this computer", kind: "local", number: 1 };
+const ana = { client: "a", name: "Ana · tableta", kind: "person", number: 1 } as const;
+const station = { client: "s", name: "this computer", kind: "local", number: 1 } as const;
 const nobody = { client: null, name: null, kind: null, number: null };
 
-function told(reason: string, to: object, before: object | null, client: string) {
-  const said = controlMessage(
-    { type: "event", event: "control", t_s: 1, data: { ...to, reason, before } },
-    client,
-  );
+function told(reason: string, to: PageName, before: PageName | null, client: string) {
+  const said = controlMessage(anEvent("control", { ...to, reason, before }), client);
   if (said === null) {
     return null;
   }
@@ -37,12 +36,7 @@ test("everybody else hears who has it now, and is warned when its holder was los
 });
 
 test("only who asked hears of a refusal", () => {
-  const closed = {
-    type: "event",
-    event: "control_request_closed",
-    t_s: 1,
-    data: { ...ana, result: "refused" },
-  } as const;
+  const closed = anEvent("control_request_closed", { ...ana, result: "refused" });
   expect(controlMessage(closed, "a")).toMatchObject({
     message: { key: "controlSeen.refused" },
     isAnswer: true,
@@ -59,11 +53,10 @@ test.each([
   ["back", "a", false],
   ["granted", "x", false],
 ])("control that is %s, heard by %s, answers what its user asked: %s", (reason, client, isAnswer) => {
-  const data = { ...ana, reason, before: station };
-  expect(controlMessage({ type: "event", event: "control", t_s: 1, data }, client)?.isAnswer).toBe(isAnswer);
+  const event = anEvent("control", { ...ana, reason, before: station });
+  expect(controlMessage(event, client)?.isAnswer).toBe(isAnswer);
 });
 
-test("an event that is not as agreed, or of something else, says nothing", () => {
-  expect(controlMessage({ type: "event", event: "control", t_s: 1, data: { client: 3 } }, "a")).toBeNull();
-  expect(controlMessage({ type: "event", event: "alarm", t_s: 1, data: {} }, "a")).toBeNull();
+test("an event of something else says nothing of control", () => {
+  expect(controlMessage(anEvent("alarm", aShape("AlarmEvent")), "a")).toBeNull();
 });

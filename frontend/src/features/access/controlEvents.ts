@@ -1,16 +1,6 @@
-import { type Checked, isNumber, isText, nullable, oneOf, shape } from "../../lib/check";
 import type { StreamEvent } from "../../protocol/envelope";
+import type { ControlEvent, PageName } from "../../protocol/guards.gen";
 import type { Message } from "../../store/messages";
-
-const PAGE = {
-  client: nullable(isText),
-  name: nullable(isText),
-  kind: nullable(oneOf("local", "person", "program")),
-  number: nullable(isNumber),
-};
-const isPage = shape(PAGE);
-const isChange = shape({ ...PAGE, reason: isText, before: nullable(isPage) });
-const isClosed = shape({ ...PAGE, result: isText });
 
 /** What the page that got control is told, by the reason of the change; any other: that it has it. */
 const GOT: ReadonlySet<string> = new Set(["granted", "handed_over", "unanswered", "waited", "taken"]);
@@ -38,22 +28,19 @@ export interface ControlMessage {
 
 /** The message for a change of control, told to who got it, who had it, and who watches; null for any other event. */
 export function controlMessage({ event, data }: StreamEvent, client: string | null): ControlMessage | null {
-  if (event === "control" && isChange(data)) {
+  if (event === "control") {
     const isOwn = data.client !== null && data.client === client;
-    return { message: changeMessage(data, client), isAnswer: isOwn && ASKED.has(data.reason) };
+    return { message: changeMessage(data, client), isAnswer: isOwn && ASKED.has(data.reason ?? "") };
   }
-  const isRefusal =
-    event === "control_request_closed" &&
-    isClosed(data) &&
-    data.client === client &&
-    data.result === "refused";
+  const isRefusal = event === "control_request_closed" && data.client === client && data.result === "refused";
   return isRefusal
     ? { message: { level: "warning", key: "controlSeen.refused", params: {} }, isAnswer: true }
     : null;
 }
 
-function changeMessage(change: Checked<typeof isChange>, client: string | null): Message {
-  const { reason, before } = change;
+function changeMessage(change: ControlEvent, client: string | null): Message {
+  const { before } = change;
+  const reason = change.reason ?? "other";
   const params = { name: said(change), before: before === null ? "" : said(before) };
   const isUnmeant = UNMEANT.has(reason);
   if (change.client !== null && change.client === client) {
@@ -72,14 +59,6 @@ function changeMessage(change: Checked<typeof isChange>, client: string | null):
 }
 
 /** A page's name as a message carries it: one on the station's own computer is named in the user's language. */
-function said({
-  kind,
-  name,
-  client,
-}: {
-  kind: string | null;
-  name: string | null;
-  client: string | null;
-}): string {
+function said({ kind, name, client }: PageName): string {
   return kind === "local" ? "@control.station" : (name ?? client ?? "");
 }

@@ -43,9 +43,6 @@ export interface Entry {
 
 export const ENTRY = partName<Entry>("entry");
 
-/** The event of the stream that says to a page that its role or name is another one now. */
-export const ACCESS_CHANGED = "access";
-
 interface EntryParts {
   readonly rest: Gateway;
   readonly timers: Timers;

@@ -1,5 +1,4 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { BOARD_RESTARTED, isBoardRestart } from "../../protocol/boardRestart";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { AlarmBook, ThresholdList } from "../../protocol/guards.gen";
 import type { Asker } from "../../requests/asking";
@@ -7,7 +6,7 @@ import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
 import type { EndedAlarm } from "./endedAlarms";
-import type { AlarmLevel, BoardRestart, OwnAlarm } from "./raisedAlarms";
+import { type AlarmLevel, BOARD_RESTARTED, type BoardRestart, type OwnAlarm } from "./raisedAlarms";
 
 export type PastAlarm = AlarmBook["past"][number];
 export type Threshold = ThresholdList["thresholds"][number];
@@ -89,7 +88,7 @@ const NAMED = 4;
 export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: StreamEvent): void {
   if (event === "alarm") {
     store.setState(({ reported }) => ({ reported: reported + 1 }));
-  } else if (event === BOARD_RESTARTED && isBoardRestart(data)) {
+  } else if (event === BOARD_RESTARTED) {
     const { parameters, plans } = data;
     const more = parameters.length > NAMED ? "…" : "";
     const gains = `${parameters.slice(0, NAMED).join(", ")}${more}`;

@@ -1,6 +1,5 @@
 import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
-import { BOARD_RESTARTED } from "../../protocol/boardRestart";
 import { isAlarmBook, isThresholdList } from "../../protocol/guards.gen";
 import { createAsking, info, type RequesterParts } from "../../requests/asking";
 import type { Connection, ConnectionStore } from "../../store/connection";
@@ -23,7 +22,7 @@ import { spokenPhrase, testPhrase } from "./alarmPhrases";
 import { alarmSettings } from "./alarmSettings";
 import { Annunciator } from "./annunciator";
 import { endedAlarms } from "./endedAlarms";
-import { activeAlarms, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
+import { activeAlarms, BOARD_RESTARTED, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
 
 export interface AlarmParts extends RequesterParts {
   readonly connection: ConnectionStore;

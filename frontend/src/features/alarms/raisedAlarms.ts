@@ -1,4 +1,3 @@
-import { BOARD_RESTARTED } from "../../protocol/boardRestart";
 import type { AircraftAround } from "../../protocol/guards.gen";
 import type { Alarm } from "../../protocol/status";
 import type { TopicName } from "../../protocol/topics";
@@ -8,8 +7,10 @@ import type { TelemetryStore } from "../../store/telemetry";
 
 export type AlarmLevel = Alarm["level"];
 
-/** The one alarm that the page raises itself: it does not hear the gateway. */
+/** The alarm that the page raises itself: it does not hear the gateway. */
 export const GATEWAY_LOST = "gateway_lost";
+/** The one that it makes of the event of this name. */
+export const BOARD_RESTARTED = "board_restarted";
 
 /**
  * An unexpected restart of the board. It does not end by itself, only by being acknowledged. Unix seconds of the

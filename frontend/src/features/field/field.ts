@@ -149,7 +149,7 @@ export function createFields(parts: RequesterParts & { readonly onChanged: () =>
   return {
     field,
     takeFieldEvent: ({ event, data }) => {
-      if (event === "map_field" && isPreparedField(data)) {
+      if (event === "map_field") {
         note(data);
         if (data.state === "done") {
           void read();

@@ -8,7 +8,6 @@ import {
   isFlightDisk,
   isFlightEvents,
   isFlightList,
-  isJob,
   isJobList,
   type Job,
 } from "../../protocol/guards.gen";
@@ -127,7 +126,7 @@ export function createFlights(parts: Parts): {
   }
 
   function takeFlightEvent({ event, data }: StreamEvent): void {
-    if (event === "job" && isJob(data)) {
+    if (event === "job") {
       takeJob(data);
     }
   }

@@ -1,8 +1,8 @@
-import { isText, nullable, oneOf, shape } from "../../lib/check";
 import { GuardedCalls } from "../../lib/guardedCalls";
 import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
+import type { StickEvent } from "../../protocol/guards.gen";
 import type { Actions } from "../../requests/actions";
 import type { ConnectionStore } from "../../store/connection";
 import type { Message } from "../../store/messages";
@@ -47,14 +47,6 @@ const SEARCH_EVERY_MS = 500;
 const DECIMALS = 1e4;
 
 const NOWHERE: AxisPositions = { elevator: null, aileron: null, rudder: null, throttle: null };
-
-const isStickEvent = shape({
-  source: oneOf("simulator", "gamepad"),
-  reason: oneOf("chosen", "control_lost", "lost", "back"),
-  client: nullable(isText),
-  name: nullable(isText),
-  gamepad: nullable(isText),
-});
 
 /** Reads the gamepads, maps the selected one, and sends its position while it flies. */
 export function createGamepadInput(parts: Parts): {
@@ -293,11 +285,8 @@ export function createGamepadInput(parts: Parts): {
  * The message for an event; null if this page reports it as the outcome of its own request, or if there is nothing to
  * say.
  */
-function messageOf(data: unknown, ownClient: string | null): Message | null {
-  if (!isStickEvent(data)) {
-    return null;
-  }
-  const { reason, source, client, name, gamepad } = data;
+function messageOf(event: StickEvent, ownClient: string | null): Message | null {
+  const { reason, source, client, name, gamepad } = event;
   if (reason === "chosen" && client !== null && client === ownClient) {
     return null;
   }

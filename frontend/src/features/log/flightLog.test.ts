@@ -3,10 +3,11 @@ import { createConnection } from "../../store/connection";
 import { aStatus } from "../../test/aStatus";
 import { aFlightEvent } from "../../test/flights";
 import { gatewayOf } from "../../test/gateway";
+import { anEvent, aShape } from "../../test/shapes";
 import { ManualTimers } from "../../test/wire";
 import { createFlightLog } from "./flightLog";
 
-const EVENT = { type: "event", event: "alarm", t_s: 0, data: {} } as const;
+const EVENT = anEvent("alarm", aShape("AlarmEvent"));
 
 function aLog(isRecording = true) {
   const timers = new ManualTimers();

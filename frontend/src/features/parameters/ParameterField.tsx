@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
+import type { GainState } from "../../protocol/guards.gen";
 import type { ParameterName } from "../../protocol/messages.gen";
-import type { HeldParameter } from "../../protocol/parameters";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
@@ -39,7 +39,7 @@ export function ParameterField({ name }: { name: ParameterName }) {
     />
   );
 
-  function keptText({ state: kept, value }: HeldParameter): string | undefined {
+  function keptText({ state: kept, value }: GainState): string | undefined {
     if (kept === "rejected") {
       return t("params.refusedText", { value: value ?? t("words.unknown") });
     }
@@ -47,6 +47,6 @@ export function ParameterField({ name }: { name: ParameterName }) {
   }
 }
 
-function keptState({ state }: HeldParameter): CommandState {
+function keptState({ state }: GainState): CommandState {
   return state === "unknown" || state === "loaded" ? "idle" : state;
 }

@@ -1,5 +1,5 @@
-import { isNumber, isText, nullable, oneOf, shape } from "../../lib/check";
 import type { StreamEvent } from "../../protocol/envelope";
+import type { GainState } from "../../protocol/guards.gen";
 import {
   isCommandOutcome,
   isParameterJournal,
@@ -8,7 +8,6 @@ import {
 } from "../../protocol/guards.gen";
 import type { ParameterName } from "../../protocol/messages.gen";
 import { isParameterName } from "../../protocol/parameterName";
-import { type HeldParameter, isJournalEvent, isParameterEvent } from "../../protocol/parameters";
 import { resultMessage } from "../../requests/actions";
 import type { Asker } from "../../requests/asking";
 import { createAsking, info, type RequestEnd, type RequesterParts } from "../../requests/asking";
@@ -131,30 +130,23 @@ function writtenEnd(changes: Changes, { parameters }: ParameterList): RequestEnd
   return { state: "confirmed", message: info("params.saidWritten", { what }) };
 }
 
-const isStoreEvent = shape({
-  name: oneOf("store_parameters"),
-  client: nullable(isText),
-  state: oneOf("confirmed"),
-  ms: nullable(isNumber),
-});
-
 /** Handle the stream's events about the gains, whoever caused them. */
 export function takeParameterEvent(
   values: ParameterStore,
   { event, data }: StreamEvent,
   wall_ms: number,
 ): void {
-  if (event === "parameter" && isParameterEvent(data)) {
-    const news: Partial<Record<ParameterName, HeldParameter>> = {};
+  if (event === "parameter") {
+    const news: Partial<Record<ParameterName, GainState>> = {};
     for (const [name, held] of Object.entries(data.parameters)) {
       if (isParameterName(name)) {
         news[name] = held;
       }
     }
     take(values, news);
-  } else if (event === "journal" && isJournalEvent(data)) {
+  } else if (event === "journal") {
     takeEntry(values, data);
-  } else if (event === "command" && isStoreEvent(data)) {
+  } else if (event === "command" && data.name === "store_parameters" && data.state === "confirmed") {
     takeStored(values, wall_ms);
   }
 }

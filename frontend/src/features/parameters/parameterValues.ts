@@ -1,7 +1,8 @@
 import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { GainState } from "../../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
-import type { HeldParameter, Journal, JournalEntry, ParameterMoves } from "../../protocol/parameters";
+import type { Journal, JournalEntry, ParameterMoves } from "../../protocol/parameters";
 import type { Asker } from "../../requests/asking";
 import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
@@ -12,7 +13,7 @@ export type Changes = Readonly<Partial<Record<ParameterName, number>>>;
 
 /** The 17 gains as the gateway knows them, and the journal of what was written to them. */
 export interface ParameterValues {
-  readonly held: Readonly<Record<ParameterName, HeldParameter>>;
+  readonly held: Readonly<Record<ParameterName, GainState>>;
   /** Null until read from the gateway. */
   readonly journal: Journal | null;
   /** When the board confirmed that these values are on its card, Unix milliseconds; null: unknown. */
@@ -41,7 +42,7 @@ export interface ParameterActions {
 
 export const PARAMETER_REQUESTS = partName<ParameterActions>("parameters");
 
-const UNKNOWN: HeldParameter = { value: null, loaded: null, state: "unknown" };
+const UNKNOWN: GainState = { value: null, loaded: null, state: "unknown" };
 const NOTHING: ParameterValues = {
   held: fill(() => UNKNOWN),
   journal: null,
@@ -58,10 +59,7 @@ export function forget(store: ParameterStore): void {
 }
 
 /** Take the gateway's report of some gains. When a value changes, the card no longer has what the board has. */
-export function take(
-  store: ParameterStore,
-  news: Readonly<Partial<Record<ParameterName, HeldParameter>>>,
-): void {
+export function take(store: ParameterStore, news: Readonly<Partial<Record<ParameterName, GainState>>>): void {
   store.setState(({ held, stored_ms }) => {
     const next = fill((name) => news[name] ?? held[name]);
     const isSame = PARAMETERS.every(({ name }) => next[name].value === held[name].value);
@@ -99,7 +97,7 @@ export function takeStored(store: ParameterStore, at_ms: number): void {
   store.setState({ stored_ms: at_ms });
 }
 
-function fill(of: (name: ParameterName) => HeldParameter): ParameterValues["held"] {
+function fill(of: (name: ParameterName) => GainState): ParameterValues["held"] {
   return Object.fromEntries(PARAMETERS.map(({ name }) => [name, of(name)])) as ParameterValues["held"];
 }
 

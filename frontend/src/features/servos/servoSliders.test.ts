@@ -1,7 +1,9 @@
 import { beforeEach, describe, expect, test } from "vitest";
+import type { CommandEvent } from "../../protocol/guards.gen";
 import type { Message } from "../../store/messages";
 import { aStatus } from "../../test/aStatus";
 import { gatewayOf } from "../../test/gateway";
+import { anEvent, aShape } from "../../test/shapes";
 import { ManualTimers } from "../../test/wire";
 import { createServoSliders, type ServoSlidersEnds } from "./servoSliders";
 
@@ -48,9 +50,9 @@ function sent(): Array<readonly [number, number]> {
   return asked.map(({ servo: index, position }) => [index, position] as const);
 }
 
-function command(name: string, parts: object): void {
-  const data = { name, client: "c2", by: "acknowledgement", ms: 9, reason: null, ...parts };
-  ends.takeEvent({ type: "event", event: "command", t_s: 0, data });
+function command(name: string, parts: Partial<CommandEvent>): void {
+  const data = aShape("CommandEvent", { name, client: "c2", by: "acknowledgement", ms: 9, ...parts });
+  ends.takeEvent(anEvent("command", data));
 }
 
 describe("moves that come faster than they go out", () => {

@@ -1,4 +1,3 @@
-import { isNumber, isText, list, nullable, oneOf, shape } from "../../lib/check";
 import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
@@ -36,18 +35,8 @@ export interface ServoSlidersEnds {
   readonly forget: () => void;
 }
 
-const isDone = oneOf("confirmed", "sent");
-const isMoveEvent = shape({
-  name: oneOf("servo_out"),
-  client: nullable(isText),
-  state: isDone,
-  value: list(isNumber),
-});
-const isModeEvent = shape({
-  name: oneOf("servos_control_mode_fly_by_wire", "servos_control_mode_hil"),
-  state: isDone,
-});
-const isResetEvent = shape({ name: oneOf("reset"), state: isDone });
+/** What makes the positions of the driven servos unknown. */
+const MODES: ReadonlySet<string> = new Set(["servos_control_mode_fly_by_wire", "servos_control_mode_hil"]);
 
 /** Sends the sliders' positions: one move per servo at a time, then its newest position. */
 export function createServoSliders({ rest, timers, client, tell }: Parts): ServoSlidersEnds {
@@ -112,15 +101,16 @@ export function createServoSliders({ rest, timers, client, tell }: Parts): Servo
       },
     },
     takeEvent: ({ event, data }) => {
-      if (event !== "command") {
+      if (event !== "command" || (data.state !== "confirmed" && data.state !== "sent")) {
         return;
       }
-      if (isMoveEvent(data) && data.client !== client()) {
+      const { name, state } = data;
+      if (name === "servo_out" && data.client !== client()) {
         const [servo = -1, position = 0] = data.value;
-        setServo(store, servo, { position, state: data.state, message: null });
-      } else if (isModeEvent(data)) {
+        setServo(store, servo, { position, state, message: null });
+      } else if (MODES.has(name)) {
         forgetServos(store, DRIVEN_SERVOS);
-      } else if (isResetEvent(data)) {
+      } else if (name === "reset") {
         forgetServos(store);
       }
     },

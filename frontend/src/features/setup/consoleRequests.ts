@@ -1,4 +1,3 @@
-import { isText, oneOf, shape } from "../../lib/check";
 import { isDone } from "../../protocol/answers";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { Gateway } from "../../requests/asking";
@@ -9,8 +8,6 @@ interface Parts {
   readonly rest: Gateway;
   readonly wall_ms: () => number;
 }
-
-const isConsoleEvent = shape({ direction: oneOf("sent", "received"), text: isText });
 
 /** The raw line: both directions are reported by the stream, so that every browser shows the same. */
 export function createBoardConsole({ rest, wall_ms }: Parts): {
@@ -28,7 +25,7 @@ export function createBoardConsole({ rest, wall_ms }: Parts): {
       clear: () => clearConsole(store),
     },
     takeEvent: ({ event, data }) => {
-      if (event === "console" && isConsoleEvent(data)) {
+      if (event === "console") {
         note(store, { direction: data.direction, text: data.text, at_ms: wall_ms() });
       }
     },

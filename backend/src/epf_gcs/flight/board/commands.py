@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 from collections import defaultdict
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import count
-from typing import Any, Final, Literal, NamedTuple, cast
+from typing import Final, Literal, NamedTuple, cast
 
 from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_command
@@ -15,6 +16,7 @@ from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Meaning
 from epf_gcs.contract.answers import CommandOutcome, CommandProof, CommandReason, CommandState
+from epf_gcs.contract.events import CommandEvent
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, GatewayError, LinkError
 from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, OutstandingAcknowledgements
@@ -98,24 +100,24 @@ class Commands:
             self.check_ready(command)
             story = self._story(name, arguments, client)
             if not quiet:
-                self._tell(story, "pending", "none", None, None)
+                self._outlet.event(story)
             try:
                 result = await self._prove(command, arguments, asking, is_read_back=is_read_back)
             except BaseException as error:
                 if not quiet:
-                    self._tell(story, *_end_of(error))
+                    self._outlet.event(_end_of(story, error))
                 raise
         if result.done and self.on_done is not None:
             self.on_done(name, arguments)
         if not result.done:
             self._errors.count(f"command_{result.state}")
         if not quiet:
-            self._tell(story, result.state, result.by, result.ms, result.reason)
+            self._tell(story, result)
         return result
 
     def tell_outcome(self, name: str, arguments: tuple[float, ...], client: str | None, result: CommandOutcome) -> None:
         """Report the outcome of a `quiet` command to the viewers, once the caller knows it."""
-        self._tell(self._story(name, arguments, client), result.state, result.by, result.ms, result.reason)
+        self._tell(self._story(name, arguments, client), result)
 
     def check_ready(self, command: Message) -> None:
         """Raise ConflictError with the reason why the board cannot be asked this now."""
@@ -261,11 +263,11 @@ class Commands:
             patience_s = max(patience_s, _HEARTBEATS * (period_s or 0.0))
         return patience_s
 
-    def _story(self, name: str, arguments: tuple[float, ...], client: str | None) -> dict[str, Any]:
-        return {"id": next(self._ids), "name": name, "value": list(arguments), "client": client}
+    def _story(self, name: str, arguments: tuple[float, ...], client: str | None) -> CommandEvent:
+        return CommandEvent(next(self._ids), name, list(arguments), client, "pending")
 
-    def _tell(self, story: dict[str, Any], state: str, by: CommandProof, ms: float | None, reason: str | None) -> None:
-        self._outlet.event("command", {**story, "state": state, "by": by, "ms": ms, "reason": reason})
+    def _tell(self, story: CommandEvent, result: CommandOutcome) -> None:
+        self._outlet.event(replace(story, state=result.state, by=result.by, ms=result.ms, reason=result.reason))
 
 
 def _by_acknowledgement(judge: AcknowledgementJudge) -> Judge:
@@ -279,11 +281,11 @@ def _by_acknowledgement(judge: AcknowledgementJudge) -> Judge:
     return seen
 
 
-def _end_of(error: BaseException) -> tuple[CommandState, CommandProof, None, str | None]:
+def _end_of(story: CommandEvent, error: BaseException) -> CommandEvent:
     """Outcome of an aborted command: "rejected" only if it was never sent, for otherwise nobody knows."""
     if isinstance(error, GatewayError) and error.code == "board_line_full":
-        return "rejected", "none", None, "not_sent"
-    return "timed_out", "none", None, None
+        return replace(story, state="rejected", reason="not_sent")
+    return replace(story, state="timed_out")
 
 
 def _reads_back(parameter: str, wanted: float) -> Judge:

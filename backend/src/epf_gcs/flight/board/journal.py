@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable
-from dataclasses import asdict
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import msgspec
 import orjson
 
 from epf_gcs.clock import Clock
 from epf_gcs.contract.answers import JournalEntry, ParameterChange
+from epf_gcs.contract.events import JournalEvent
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory.lines_file import LinesFile
-from epf_gcs.vehicle.journal import Kind, Step, Steps, new_entry
+from epf_gcs.vehicle.journal import Kind, Steps, new_entry
 from epf_gcs.vehicle.outside import Outlet
 
 _KEPT: Final = 1000
@@ -70,12 +70,7 @@ class Journal:
         self._file.close()
 
     def _tell(self, entry: JournalEntry | None) -> None:
-        data: dict[str, Any] = {
-            "entry": None if entry is None else asdict(entry),
-            "undo": _plain(self.steps.undo),
-            "redo": _plain(self.steps.redo),
-        }
-        self._outlet.event("journal", data)
+        self._outlet.event(JournalEvent(entry, self.steps.undo, self.steps.redo))
 
     def _load(self) -> None:
         try:
@@ -105,7 +100,3 @@ class Journal:
                 reason=why,
             )
         )
-
-
-def _plain(step: Step | None) -> list[dict[str, Any]] | None:
-    return None if step is None else [asdict(move) for move in step]

@@ -10,6 +10,7 @@ from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.codec.values import Meaning
+from epf_gcs.contract.events import MissionEvent, MissionState
 from epf_gcs.errors import BoardError, ConflictError, InvalidInputError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.vehicle.board import Board
@@ -120,8 +121,8 @@ class Missions:
                 command="mission_read",
             )
 
-    def _tell(self, plan: Plan, state: str, count: int, client: str | None) -> None:
-        self._outlet.event("mission", {"plan": plan, "state": state, "count": count, "client": client})
+    def _tell(self, plan: Plan, state: MissionState, count: int, client: str | None) -> None:
+        self._outlet.event(MissionEvent(plan, state, count, client))
 
 
 class _Collector:

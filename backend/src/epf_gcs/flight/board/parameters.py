@@ -5,14 +5,15 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, replace
-from typing import Any, Final
+from dataclasses import replace
+from typing import Final
 
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.messages_gen import COMMANDS_BY_ID
 from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Json, Meaning, single
 from epf_gcs.contract.answers import CommandOutcome, ParameterChange, WriteOutcome
+from epf_gcs.contract.events import ParameterEvent
 from epf_gcs.errors import BoardError, ConflictError, InvalidInputError, LinkError, NotFoundError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.journal import Journal
@@ -268,12 +269,10 @@ class Parameters:
 
     def _replace(self, held: Held17) -> None:
         """Take the new state and send the viewers what changed."""
-        changed: dict[str, Any] = {
-            name: asdict(gains.gain_state(name, one)) for name, one in held.items() if one != self.held[name]
-        }
+        changed = {name: gains.gain_state(name, one) for name, one in held.items() if one != self.held[name]}
         self.held = held
         if changed:
-            self._outlet.event("parameter", {"parameters": changed})
+            self._outlet.event(ParameterEvent(changed))
 
 
 def _why_not(result: CommandOutcome | None) -> WriteOutcome:

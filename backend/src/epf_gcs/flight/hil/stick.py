@@ -7,7 +7,8 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from typing import Any, Final, Literal
 
-from epf_gcs.bus.definition import Client, client_fields
+from epf_gcs.bus.definition import Client
+from epf_gcs.contract.events import StickEvent, StickReason
 from epf_gcs.errors import ConflictError
 from epf_gcs.vehicle.outside import Clock, Outlet
 from epf_gcs.xplane.datagram import Surfaces
@@ -15,7 +16,6 @@ from epf_gcs.xplane.stick import GamepadInput, read_sample
 
 StickSource = Literal["simulator", "gamepad"]
 StickState = Literal["live", "lost"]
-Reason = Literal["chosen", "control_lost", "lost", "back"]
 
 # A page starts sending samples together with its request: without one after this long no gamepad is active.
 _FIRST_SAMPLE_S: Final = 1.0
@@ -160,22 +160,15 @@ class Stick:
         self._was_live = self.state == "live"
         self._announce("back" if self._was_live else "lost")
 
-    def _end(self, reason: Reason) -> None:
+    def _end(self, reason: StickReason) -> None:
         if self._pilot is None:
             return
         gamepad = self.gamepad
         self._pilot = self.gamepad = None
         self._announce(reason, gamepad)
 
-    def _announce(self, reason: Reason, gamepad: str | None = None) -> None:
-        self._event(
-            "stick",
-            {
-                "source": self.source,
-                "state": self.state,
-                "reason": reason,
-                **client_fields(self._pilot),
-                "gamepad": self.gamepad or gamepad,
-            },
-        )
+    def _announce(self, reason: StickReason, gamepad: str | None = None) -> None:
+        pilot = self._pilot
+        client, name = (None, None) if pilot is None else (pilot.id, pilot.name)
+        self._event(StickEvent(self.source, self.state, reason, client, name, self.gamepad or gamepad))
         self._on_change()

@@ -9,14 +9,34 @@ from uuid import uuid4
 
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.contract.answers import Mark
+from epf_gcs.contract.events import (
+    AdviceEvent,
+    AlarmEvent,
+    BoardRestartEvent,
+    CommandEvent,
+    ConsoleEvent,
+    Event,
+    LinkEvent,
+    MissionEvent,
+    ParameterEvent,
+    SimulatorJumpEvent,
+    StickEvent,
+)
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import EVENT, MARK
-from epf_gcs.vehicle.simulator_motion import JUMPED
 
 # Events that say more than the bytes of the lines do.
-_NOTED: Final = frozenset(
-    {"advice", "alarm", "board_restarted", "command", "link", "mission", "parameter", JUMPED, "stick"}
+_NOTED: Final = (
+    AdviceEvent,
+    AlarmEvent,
+    BoardRestartEvent,
+    CommandEvent,
+    LinkEvent,
+    MissionEvent,
+    ParameterEvent,
+    SimulatorJumpEvent,
+    StickEvent,
 )
 
 
@@ -32,10 +52,11 @@ class FlightNotes:
         if self._recorder is not None:
             self._recorder.know(name, about, self._clock.now_ns(), content)
 
-    def event(self, kind: str, data: Mapping[str, Any], t_ns: int | None = None) -> None:
+    def event(self, event: Event, t_ns: int | None = None) -> None:
         """Note an event; at Unix time `t_ns`, or now."""
         if self._recorder is not None:
-            self._recorder.note(EVENT, self._clock.now_ns() if t_ns is None else t_ns, {"event": kind, "data": data})
+            content = {"event": event.NAME, "data": event}
+            self._recorder.note(EVENT, self._clock.now_ns() if t_ns is None else t_ns, content)
 
     def mark(self, text: str, by: str | None, ago_s: float = 0.0) -> Mark:
         """Note a person's words for the moment `ago_s` before now. Returns the mark; its `t_s` is Unix time."""
@@ -57,14 +78,15 @@ class NotedBroadcast(Broadcast):
         self.notes: FlightNotes | None = None
         self.on_parameters: Callable[[], None] | None = None
 
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+    def event(self, event: Event, /) -> None:
         """Something happened."""
         self._event_ns = self._clock.now_ns()
-        if self.notes is not None and (kind in _NOTED or (kind == "console" and data.get("direction") == "sent")):
-            self.notes.event(kind, data, self._event_ns)
-        if kind == "parameter" and self.on_parameters is not None:
+        is_sent_text = isinstance(event, ConsoleEvent) and event.direction == "sent"
+        if self.notes is not None and (isinstance(event, _NOTED) or is_sent_text):
+            self.notes.event(event, self._event_ns)
+        if isinstance(event, ParameterEvent) and self.on_parameters is not None:
             self.on_parameters()
-        super().event(kind, data)
+        super().event(event)
 
     def _event_s(self) -> float:
         return self._event_ns * 1e-9

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 
 from epf_gcs import __version__
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.events import ControlEvent, Event
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
@@ -15,6 +16,15 @@ from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
 from epf_gcs.recordings.notes import IDENTITY, LINE, PARAMETERS, PLAN
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.parameters import gain_state
+
+
+@dataclass(frozen=True, slots=True)
+class HolderNote(Event):
+    """The page that has control, as a recording says it: less than viewers are told."""
+
+    NAME = ControlEvent.NAME
+    client: str | None = None
+    name: str | None = None
 
 
 class KnownNotes:
@@ -91,7 +101,7 @@ class KnownNotes:
     def holder(self) -> None:
         """Another browser, or none, has control."""
         holder = self._stick.holder
-        self._notes.event("control", {"client": holder and holder.id, "name": holder and holder.name})
+        self._notes.event(HolderNote() if holder is None else HolderNote(holder.id, holder.name))
         self.identity()
 
     def lines(self) -> None:

@@ -6,6 +6,7 @@ from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Handlers
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.contract.answers import CommandOutcome
+from epf_gcs.contract.events import ConsoleEvent
 from epf_gcs.contract.requests import RunCommand, SendLine, StartAhrsTest, StopAhrsTest
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -41,7 +42,7 @@ def command_requests(
             raise ConflictError(
                 "board_not_open", "The line was not sent because no board is connected: open the board's link first."
             )
-        outlet.event("console", {"direction": "sent", "text": request.text, "client": by.client})
+        outlet.event(ConsoleEvent("sent", request.text, by.client))
 
     async def start_test(_: StartAhrsTest, __: Asker) -> CommandOutcome:
         return await ahrs_test.start()

@@ -9,6 +9,7 @@ from typing import Any
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Handlers
 from epf_gcs.contract.answers import AircraftName, DiskPolicy, Mark
+from epf_gcs.contract.events import MarkEvent
 from epf_gcs.contract.requests import ChooseDiskPolicy, NameAircraft, SetMark
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.memory.memory import Memory
@@ -41,7 +42,7 @@ def recording_requests(
                 "flight_not_recorded", "The mark was not set because nothing is recorded: open a line first."
             )
         made = notes.mark(request.text, request.by, request.ago_s)
-        outlet.event("mark", asdict(made))
+        outlet.event(MarkEvent(**asdict(made)))
         return made
 
     async def choose_policy(request: ChooseDiskPolicy, _: Asker) -> DiskPolicy:

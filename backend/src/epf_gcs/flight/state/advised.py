@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any, Final
 
+from epf_gcs.contract.events import AdviceEvent
 from epf_gcs.contract.inspector import AdviceState
 from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.repeating import repeat
@@ -38,7 +39,7 @@ class AdviceWatch:
         snapshot = take_snapshot(self._sources)
         found = await asyncio.to_thread(build_inspector, snapshot)
         for one in self.new_of(found.advice):
-            self._outlet.event("advice", asdict(one))
+            self._outlet.event(AdviceEvent(**asdict(one)))
 
     def new_of(self, found: Sequence[AdviceState]) -> list[AdviceState]:
         """What was not advised in the last minute."""

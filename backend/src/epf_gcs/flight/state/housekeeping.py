@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.clock import Clock
+from epf_gcs.contract.events import RecordingEvent
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.clock.clock_watch import ClockWatch
@@ -90,5 +91,5 @@ class Housekeeping:
         file = self._recorder.file if self._recorder is not None else None
         if file != self._recording:
             self._recording = file
-            self._outlet.event("recording", {"active": file is not None, "file": None if file is None else file.name})
+            self._outlet.event(RecordingEvent(file is not None, None if file is None else file.name))
             self._on_change()

@@ -15,12 +15,13 @@ from epf_gcs import __version__
 from epf_gcs.access.caller import Caller
 from epf_gcs.access.control import base_name
 from epf_gcs.bus.definition import BusError, NamedText
+from epf_gcs.contract.events import ErrorEvent
 from epf_gcs.contract.hello import Hello
 from epf_gcs.contract.notices import Notice
 from epf_gcs.contract.playback import Loop, Pause, Play, Playback, SampleCredit, Seek, Step, Want
 from epf_gcs.contract.requests import ReadInspector, ReadKnown, Request
 from epf_gcs.contract.status import Status
-from epf_gcs.errors import GatewayError
+from epf_gcs.errors import ErrorCode, GatewayError
 from epf_gcs.web.replays.replay_process import ViewersReplay
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.hub_state import HubState
@@ -260,9 +261,8 @@ class ReplayConversation:
             self._jump = None
             self._hub.serve(self._viewer)
 
-    def _tell_error(self, code: str, detail: str) -> None:
-        data = {"code": code, "detail": detail, "params": {}, "count": 1}
-        text = self._hub.event_text("error", data)
+    def _tell_error(self, code: ErrorCode, detail: str) -> None:
+        text = self._hub.event_text(ErrorEvent(code, detail, {}))
         if self._is_greeted:
             self._viewer.offer_event(text)
             self._hub.serve(self._viewer)

@@ -7,8 +7,8 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-import orjson
-
+from epf_gcs.bus.definition import event_text
+from epf_gcs.contract.events import Event, SubjectEvent
 from epf_gcs.repeating import Repeating, report_failure
 from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.viewer import Viewer
@@ -79,9 +79,13 @@ class Hub:
                 else:
                     pacer.timer.arm(pacer.due_s - now)
 
-    def event(self, kind: str, data: Mapping[str, Any], /) -> None:
+    def event(self, event: Event, /) -> None:
         """Send an event of the web process to every viewer."""
-        self.send_event(self.event_text(kind, data))
+        self.send_event(self.event_text(event))
+
+    def say(self, name: SubjectEvent, data: Mapping[str, Any], /) -> None:
+        """Send an event of a subject to every viewer."""
+        self.send_event(event_text(name, self._now_s(), data))
 
     def send_event(self, text: bytes) -> None:
         """Send an event that is JSON text already to every viewer."""
@@ -89,9 +93,9 @@ class Hub:
             viewer.offer_event(text)
             self.serve(viewer)
 
-    def event_text(self, kind: str, data: Mapping[str, Any]) -> bytes:
+    def event_text(self, event: Event) -> bytes:
         """The JSON of an event that happens now."""
-        return orjson.dumps({"type": "event", "event": kind, "t_s": self._now_s(), "data": data})
+        return event_text(event.NAME, self._now_s(), event)
 
     def status(self, text: bytes) -> None:
         """Send the newest status to every viewer."""

@@ -9,6 +9,7 @@ import structlog
 
 from epf_gcs.bus.definition import NamedText
 from epf_gcs.clock import Clock
+from epf_gcs.contract.events import FlightProcessEvent
 from epf_gcs.contract.hello import ControlHolder, Hello
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.status import Status
@@ -88,7 +89,7 @@ class VehicleMirror:
         log.info("the flight process is there", version=hello.version)
         self._on_here(hello.control)
         if was_lost:
-            self._hub.event("flight", {"state": "back"})
+            self._hub.event(FlightProcessEvent("back"))
         self._on_change()
 
     def on_sample(self, sample: NamedText) -> None:
@@ -127,7 +128,7 @@ class VehicleMirror:
         else:
             self._lost_s = None
             log.info("the flight process is heard again")
-        self._hub.event("flight", {"state": "lost" if silent else "back"})
+        self._hub.event(FlightProcessEvent("lost" if silent else "back"))
         self._on_change()
 
     def on_lost(self, *, ended: bool) -> None:
@@ -140,5 +141,5 @@ class VehicleMirror:
             log.info("the flight process has ended; it is looked for again")
         else:
             log.error("the flight process is gone; it is looked for again")
-        self._hub.event("flight", {"state": "lost"})
+        self._hub.event(FlightProcessEvent("lost"))
         self._on_change()

@@ -152,5 +152,5 @@ def test_a_line_of_text_goes_to_the_board_and_its_answer_comes_back(gateway: Gat
         assert stream.event("console")["direction"] == "sent"
         eventually(lambda: b"help\n" in board.raw, "the line arrives")
         board.send(b"\rhelp: this text\n")
-        assert stream.event("console") == {"direction": "received", "text": "help: this text"}
+        assert stream.event("console") == {"direction": "received", "text": "help: this text", "client": None}
     assert gateway.status()["board"]["frames_damaged"] == 0

@@ -48,7 +48,7 @@ export function createMapLayerActions(parts: RequesterParts & { readonly timers:
   }
 
   function takeMapEvent({ event, data }: StreamEvent): void {
-    if (event === "map_import" && isMapImport(data)) {
+    if (event === "map_import") {
       noteImport(store, data);
       if (data.state === "done") {
         rereading.run();

@@ -99,7 +99,7 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
 }
 
 function takeTrackEvent(store: TrackStore, { event, data }: StreamEvent): void {
-  if (event === "track" && isTrackState(data)) {
+  if (event === "track") {
     store.setState({ canRestore: data.can_restore });
   }
 }

@@ -6,11 +6,11 @@ import asyncio
 
 from fastapi import APIRouter
 
+from epf_gcs.contract.events import ChecklistEvent
 from epf_gcs.web.checklist.schemas import Checklist, ChecklistChange
 from epf_gcs.web.interface.deps import ChecklistDep, HubDep
 from epf_gcs.web.serving.problems import problems, reading_problems
 
-CHANGED = "checklist"
 """The event that tells every page to read the list again."""
 
 router = APIRouter(prefix="/checklist", tags=["checklist"])
@@ -26,7 +26,7 @@ async def get_checklist(kept: ChecklistDep) -> Checklist:
 async def put_checklist(change: ChecklistChange, kept: ChecklistDep, hub: HubDep) -> Checklist:
     """Replace the list; it is kept over restarts."""
     found = await asyncio.to_thread(kept.write, change)
-    hub.event(CHANGED, {})
+    hub.event(ChecklistEvent())
     return found
 
 
@@ -34,5 +34,5 @@ async def put_checklist(change: ChecklistChange, kept: ChecklistDep, hub: HubDep
 async def delete_checklist(kept: ChecklistDep, hub: HubDep) -> Checklist:
     """Back to the page's own list."""
     found = await asyncio.to_thread(kept.write, None)
-    hub.event(CHANGED, {})
+    hub.event(ChecklistEvent())
     return found

@@ -7,6 +7,7 @@ from typing import Final
 
 from fastapi import APIRouter, Request, Response
 
+from epf_gcs.contract.events import SurroundingsEvent
 from epf_gcs.contract.shapes import FILE, file_body
 from epf_gcs.errors import ConflictError
 from epf_gcs.formats.fence_file import FenceFormat, read_fence_file, write_fence_kml, write_fence_plan
@@ -19,7 +20,6 @@ from epf_gcs.web.interface.missions.file_routes import FileName, attachment
 from epf_gcs.web.interface.surroundings.schemas import FenceImport, FenceNote, SurroundingsChoice
 from epf_gcs.web.serving.problems import problems, reading_problems
 
-CHANGED = "surroundings"
 """The event that tells every page to read the choice again."""
 IMPORT_PATH: Final = "/surroundings/fence/import"
 
@@ -41,7 +41,7 @@ async def put_surroundings(
 ) -> SurroundingsChoice:
     """Choose; it is kept over restarts. The warnings are advice: nothing is ever commanded by them."""
     await surroundings.choose(change)
-    hub.event(CHANGED, {})
+    hub.event(SurroundingsEvent())
     return SurroundingsChoice(**change.model_dump())
 
 
