@@ -7,18 +7,17 @@ import socket
 import ssl
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from datetime import UTC, datetime, timedelta
-from http import HTTPStatus
 from pathlib import Path
 from typing import Any, cast
+from urllib.parse import urlsplit, urlunsplit
 
 import uvloop
 from cryptography import x509
 from cryptography.hazmat.primitives import hashes, serialization
 from cryptography.hazmat.primitives.asymmetric import ec, rsa
 from cryptography.x509.oid import NameOID
-from websockets.exceptions import InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from epf_gcs.tls.keeper import Keeper
@@ -27,7 +26,7 @@ from epf_gcs.web.serving.handshakes import Handshakes
 from epf_gcs.web.serving.visitors import Limits, Visitor, Visitors
 from tests.support.waiting import DEADLINE_S, eventually_async
 
-_TRIES = 4
+_Streams = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 
 LOOPS: dict[str, Callable[[], asyncio.AbstractEventLoop]] = {
     "uvloop": uvloop.new_event_loop,
@@ -215,18 +214,58 @@ def open_door(
     assert faults == [], faults
 
 
-def connected(address: str, trust: ssl.SSLContext | None, **options: Any) -> ClientConnection:
+@contextmanager
+def connected(address: str, trust: ssl.SSLContext | None, **options: Any) -> Iterator[ClientConnection]:
     """A client of a stream, in plain text where there is no `trust`.
 
-    Two threads of this client use one TLS object, which Python guards from 3.13 on only: on a busy machine about one
-    request in a thousand never leaves. The station then answers that it came too slowly, or the client gives up first.
+    This client reads and writes in two threads, and before Python 3.13 two threads that use one TLS object at the same
+    time can spoil it: a request is lost, or a write never returns. So one thread alone speaks TLS for it.
     """
-    tries = 1
-    while True:
-        try:
-            return cast(ClientConnection, connect(address, max_size=None, ssl=trust, **options))
-        except (TimeoutError, InvalidStatus) as error:
-            lost = isinstance(error, TimeoutError) or error.response.status_code == HTTPStatus.REQUEST_TIMEOUT
-            if trust is None or not lost or tries == _TRIES:
-                raise
-            tries += 1
+    if trust is None:
+        with connect(address, max_size=None, **options) as connection:
+            yield connection
+        return
+    url = urlsplit(address)
+    with (
+        _decrypted(str(url.hostname), int(url.port or 443), trust) as plain,
+        connect(urlunsplit(url._replace(scheme="ws")), max_size=None, sock=plain, **options) as connection,
+    ):
+        yield connection
+
+
+@contextmanager
+def _decrypted(host: str, port: int, trust: ssl.SSLContext) -> Iterator[socket.socket]:
+    """A socket for plain text to the TLS server there; the loop of one thread encrypts, decrypts and passes on."""
+    ours, theirs = socket.socketpair()
+    loop = asyncio.new_event_loop()
+    thread = threading.Thread(target=loop.run_forever, daemon=True)
+    thread.start()
+
+    async def begin() -> asyncio.Task[None]:
+        server = await asyncio.open_connection(host, port, ssl=trust)
+        client = await asyncio.open_connection(sock=theirs)
+        return asyncio.create_task(pass_on(client, server))
+
+    async def pass_on(client: _Streams, server: _Streams) -> None:
+        both = [asyncio.create_task(copy(client[0], server[1])), asyncio.create_task(copy(server[0], client[1]))]
+        await asyncio.wait(both, return_when=asyncio.FIRST_COMPLETED)
+        # TLS has no half-closed connection: where one side ends, both do, after what is on its way.
+        for _, writer in (client, server):
+            writer.close()
+        await asyncio.gather(*both, *(writer.wait_closed() for _, writer in (client, server)), return_exceptions=True)
+
+    async def copy(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        while data := await reader.read(65536):
+            writer.write(data)
+            await writer.drain()
+
+    try:
+        with closing(ours):
+            passing = asyncio.run_coroutine_threadsafe(begin(), loop).result(DEADLINE_S)
+            yield ours
+        asyncio.run_coroutine_threadsafe(asyncio.wait_for(passing, DEADLINE_S), loop).result()
+    finally:
+        loop.call_soon_threadsafe(loop.stop)
+        thread.join(DEADLINE_S)
+        theirs.close()
+        loop.close()
