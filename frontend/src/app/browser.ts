@@ -43,7 +43,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
     storage: storageOf(() => window.localStorage),
     tabStorage: storageOf(() => window.sessionStorage),
     sounder: browserSounder(window),
-    speaker: browserSpeaker(window),
+    speaker: browserSpeaker(window, BROWSER_TIMERS),
   };
 }
 

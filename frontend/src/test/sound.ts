@@ -1,6 +1,5 @@
 import type { Sounder, SounderState, Speaker, SpeakerState } from "../features/alarms/alarmLog";
 import type { AlarmLevel } from "../features/alarms/raisedAlarms";
-import type { Language } from "../store/settings";
 
 /** Records tones. */
 export class ManualSounder implements Sounder {
@@ -39,8 +38,11 @@ export class ManualSpeaker implements Speaker {
   readonly #listeners: Array<() => void> = [];
 
   readonly state = (): SpeakerState => this.#state;
-  readonly say = (text: string, language: Language): void => {
+  /** Whether the voice begins. */
+  isHeard = true;
+  readonly say: Speaker["say"] = (text, language, _volume, told) => {
     this.said.push(`${language}: ${text}`);
+    told(this.isHeard);
   };
   readonly hush = (): void => {
     this.said.push("hush");

@@ -215,6 +215,21 @@ describe("what is heard", () => {
     expect(within(panel("Sonido y voz")).getByRole("button", { name: "Silencio 2 min" })).toBeTruthy();
   });
 
+  test("is a tone where the voice does not begin, and the user is told of it once", async () => {
+    station.speaker.isHeard = false;
+    const tries = () => user.click(screen.getByRole("button", { name: "Probar la voz de una alarma" }));
+    await tries();
+    await tries();
+    expect(station.sounder.played).toEqual(["critical", "critical"]);
+    const said = () => station.page.messages.getState().kept.filter(({ key }) => key === "alarmSaid.unheard");
+    expect(said()).toHaveLength(1);
+    station.speaker.isHeard = true;
+    await tries();
+    station.speaker.isHeard = false;
+    await tries();
+    expect(said()).toHaveLength(2);
+  });
+
   test("can be tried, whatever is switched off", async () => {
     await user.click(screen.getByRole("button", { name: "Probar el sonido de un aviso" }));
     await user.click(screen.getByRole("button", { name: "Probar la voz de una alarma" }));

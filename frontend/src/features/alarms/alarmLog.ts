@@ -29,8 +29,11 @@ export type SpeakerState = SounderState | "foreign";
 /** Speaks sentences. */
 export interface Speaker {
   readonly state: (language: Language) => SpeakerState;
-  /** Replaces what is being spoken: there is never a queue. Volume 0..1. */
-  readonly say: (text: string, language: Language, volume: number) => void;
+  /**
+   * Replaces what is being spoken: there is never a queue. Volume 0..1. `told` hears whether the voice has begun; a
+   * sentence that is replaced before that is not told.
+   */
+  readonly say: (text: string, language: Language, volume: number, told: (isHeard: boolean) => void) => void;
   readonly hush: () => void;
   readonly onState: (changed: () => void) => void;
 }

@@ -20,9 +20,9 @@ import {
 } from "./alarmLog";
 import { spokenPhrase, testPhrase } from "./alarmPhrases";
 import { alarmSettings } from "./alarmSettings";
-import { Annunciator } from "./annunciator";
+import { Annunciator, type Speech } from "./annunciator";
 import { endedAlarms } from "./endedAlarms";
-import { activeAlarms, BOARD_RESTARTED, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
+import { type AlarmLevel, activeAlarms, BOARD_RESTARTED, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
 
 export interface AlarmParts extends RequesterParts {
   readonly connection: ConnectionStore;
@@ -38,7 +38,8 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   const { rest, connection, wall_ms } = parts;
   const { run, simply } = createAsking(parts);
   const store = createAlarmLogStore();
-  const ring = createBell(parts, store);
+  const speak = createVoice(parts, store);
+  const ring = createBell(parts, store, speak);
   // Subscribed before anything else reads the state, so that the page's own alarm is there from the start.
   connection.subscribe((now) => followLine(now, store, wall_ms() / 1000));
   connection.subscribe(ring);
@@ -114,12 +115,10 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
         },
       ),
     test: (channel, level) => {
-      const { volume } = alarmSettings(parts.settings.getState());
-      const { language } = parts.settings.getState();
       if (channel === "sound") {
-        parts.sounder.play(level, volume);
+        parts.sounder.play(level, alarmSettings(parts.settings.getState()).volume);
       } else {
-        parts.speaker.say(testPhrase(level, language), language, volume);
+        speak({ kind: "test", level });
       }
     },
   };
@@ -148,6 +147,37 @@ function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmLogStore, ri
   speaker.onState(look);
 }
 
+/** What the voice says; "hush" ends what it is saying. */
+type Speak = (speech: Speech | "hush" | { readonly kind: "test"; readonly level: AlarmLevel }) => void;
+
+/** If the voice does not begin, the tone of the alarm sounds instead, and the user is told so once. */
+function createVoice({ settings, sounder, speaker, messages }: AlarmParts, store: AlarmLogStore): Speak {
+  let isHeard = true;
+  return (speech) => {
+    if (speech === "hush") {
+      speaker.hush();
+      return;
+    }
+    const { language } = settings.getState();
+    const { volume } = alarmSettings(settings.getState());
+    const text = speech.kind === "test" ? testPhrase(speech.level, language) : spokenPhrase(speech, language);
+    speaker.say(text, language, volume, (isHeardNow) => {
+      const wasHeard = isHeard;
+      isHeard = isHeardNow;
+      if (isHeard || store.getState().mutedUntil_ms !== null) {
+        return;
+      }
+      if (wasHeard) {
+        messages.announce({ level: "warning", key: "alarmSaid.unheard", params: {} });
+      }
+      // An alarm's tone would say the opposite of "recovered".
+      if (speech.kind !== "recovered") {
+        sounder.play(speech.level, volume);
+      }
+    });
+  };
+}
+
 /** Whatever a sound throws, the alarms are examined again so soon. */
 const AFTER_FAILURE_MS = 1000;
 
@@ -155,7 +185,7 @@ const AFTER_FAILURE_MS = 1000;
  * Lets the annunciator examine the alarms and does what it decides. It runs after the present message has been
  * handled completely: half-way, a link may already be open while the status is still the old one.
  */
-function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
+function createBell(parts: AlarmParts, store: AlarmLogStore, speak: Speak): () => void {
   const { connection, telemetry, settings, timers, sounder, speaker } = parts;
   const annunciator = new Annunciator();
   let isCalled = false;
@@ -186,10 +216,8 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
         sounder.play(sound, heard.volume);
       }
     } finally {
-      if (speech === "hush") {
-        speaker.hush();
-      } else if (speech !== null) {
-        speaker.say(spokenPhrase(speech, chosen.language), chosen.language, heard.volume);
+      if (speech !== null) {
+        speak(speech);
       }
     }
     const next_ms = isMuted ? mutedUntil_ms : again_ms;

@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
-import { browserSounder, browserSpeaker } from "./browserAlarms";
+import { ManualTimers } from "../../test/wire";
+import { BEGIN_MS, browserSounder, browserSpeaker, CANCEL_MS } from "./browserAlarms";
 import { SIGNALS } from "./tones";
 
 /** As much of a browser's sound as is used: nodes that remember what they were connected to and when they sound. */
@@ -61,17 +62,27 @@ class FakeWindow extends EventTarget {
   readonly speechSynthesis = Object.assign(new EventTarget(), {
     getVoices: () => this.voices,
     cancel: () => this.spoken.push("cancel"),
-    speak: ({ text, lang }: { text: string; lang: string }) => this.spoken.push(`${lang} ${text}`),
+    speak: (sentence: EventTarget & { text: string; lang: string }) => {
+      this.spoken.push(`${sentence.lang} ${sentence.text}`);
+      this.sentences.push(sentence);
+    },
   });
-  readonly SpeechSynthesisUtterance = class {
+  /** What was given to the browser to speak; the test says when it begins and ends. */
+  readonly sentences: EventTarget[] = [];
+  readonly SpeechSynthesisUtterance = class extends EventTarget {
     lang = "";
     voice: unknown = null;
     volume = 1;
     readonly text: string;
     constructor(text: string) {
+      super();
       this.text = text;
     }
   };
+
+  tell(number: number, event: "start" | "end" | "error"): void {
+    this.sentences[number]?.dispatchEvent(new Event(event));
+  }
 
   press(): void {
     this.navigator.userActivation.hasBeenActive = true;
@@ -84,8 +95,10 @@ class FakeWindow extends EventTarget {
 }
 
 let window: FakeWindow;
+let timers: ManualTimers;
 
 beforeEach(() => {
+  timers = new ManualTimers();
   FakeContext.made = [];
   window = new FakeWindow();
 });
@@ -125,27 +138,87 @@ describe("tones", () => {
   test("of a browser without them say so", () => {
     const bare = Object.assign(new EventTarget(), { navigator: {} }) as unknown as Window & typeof globalThis;
     expect(browserSounder(bare).state()).toBe("none");
-    expect(browserSpeaker(bare).state("es")).toBe("none");
+    expect(browserSpeaker(bare, timers).state("es")).toBe("none");
   });
 });
 
 describe("voices", () => {
-  test("speak the page's language after a press, and never two sentences in a row", () => {
-    const speaker = browserSpeaker(window.asBrowser);
+  /** A speaker after the first press, and what it tells of its sentences. */
+  function speaking() {
+    const speaker = browserSpeaker(window.asBrowser, timers);
+    window.press();
+    const told: string[] = [];
+    const say = (text: string, language: "es" | "en" = "es") =>
+      speaker.say(text, language, 1, (isHeard) => told.push(`${text} ${isHeard ? "heard" : "unheard"}`));
+    return { speaker, say, told };
+  }
+
+  test("speak the page's language after a press, and cancel nothing while nothing is spoken", () => {
+    const speaker = browserSpeaker(window.asBrowser, timers);
     expect(speaker.state("es")).toBe("waits");
     window.press();
     expect(speaker.state("es")).toBe("ready");
-    speaker.say("uno", "es", 1);
-    speaker.say("two", "en", 1);
-    expect(window.spoken).toEqual(["cancel", "es-ES uno", "cancel", "en-GB two"]);
+    speaker.hush();
+    speaker.say("uno", "es", 1, vi.fn());
+    expect(window.spoken).toEqual(["es-ES uno"]);
+  });
+
+  test("begin the newest sentence only when the cancelled one has ended", () => {
+    const { say, told } = speaking();
+    say("uno");
+    window.tell(0, "start");
+    say("two", "en");
+    say("tres");
+    expect(window.spoken).toEqual(["es-ES uno", "cancel", "cancel"]);
+    window.tell(0, "error");
+    expect(window.spoken.at(-1)).toBe("es-ES tres");
+    window.tell(1, "start");
+    window.tell(1, "end");
+    say("cuatro");
+    expect(window.spoken.slice(3)).toEqual(["es-ES tres", "es-ES cuatro"]);
+    expect(told).toEqual(["uno heard", "tres heard"]);
+  });
+
+  test("do not wait long for a browser that never tells the end of what it cancelled", () => {
+    const { say, told } = speaking();
+    say("uno");
+    window.tell(0, "start");
+    say("dos");
+    timers.pass(CANCEL_MS);
+    expect(window.spoken.at(-1)).toBe("es-ES dos");
+    window.tell(0, "error");
+    window.tell(1, "start");
+    expect(told).toEqual(["uno heard", "dos heard"]);
+  });
+
+  test("that do not begin within a second are told as unheard, and do not speak later", () => {
+    const { say, told } = speaking();
+    say("uno");
+    timers.pass(BEGIN_MS - 1);
+    expect(told).toEqual([]);
+    timers.pass(1);
+    expect(told).toEqual(["uno unheard"]);
+    expect(window.spoken).toEqual(["es-ES uno", "cancel"]);
+  });
+
+  test("that are hushed say nothing more, neither aloud nor to who asked", () => {
+    const { speaker, say, told } = speaking();
+    say("uno");
+    window.tell(0, "start");
+    say("dos");
+    speaker.hush();
+    window.tell(0, "error");
+    timers.pass(BEGIN_MS);
+    expect(window.spoken).not.toContain("es-ES dos");
+    expect(told).toEqual(["uno heard"]);
   });
 
   test("of another language are not taken, nor those that live on a server", () => {
-    const speaker = browserSpeaker(window.asBrowser);
+    const speaker = browserSpeaker(window.asBrowser, timers);
     window.press();
     window.voices = [voice("en-GB"), voice("es-ES", false)];
     expect(speaker.state("es")).toBe("foreign");
-    speaker.say("uno", "es", 1);
+    speaker.say("uno", "es", 1, vi.fn());
     expect(window.spoken).toEqual([]);
     window.voices = [voice("es-ES", false)];
     expect(speaker.state("es")).toBe("none");
@@ -153,7 +226,7 @@ describe("voices", () => {
 
   test("that are found later are told", () => {
     window.voices = [];
-    const speaker = browserSpeaker(window.asBrowser);
+    const speaker = browserSpeaker(window.asBrowser, timers);
     const changed = vi.fn();
     speaker.onState(changed);
     window.voices = [voice("es-ES")];

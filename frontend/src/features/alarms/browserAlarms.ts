@@ -1,3 +1,4 @@
+import type { Timers } from "../../lib/timers";
 import type { Language } from "../../store/settings";
 import type { Sounder, Speaker } from "./alarmLog";
 import { SIGNALS } from "./tones";
@@ -6,6 +7,10 @@ type BrowserWindow = Window & typeof globalThis;
 
 /** Events that may be the user gesture which a browser requires before sound. */
 const PRESSES = ["pointerdown", "pointerup", "keydown"] as const;
+/** A voice that has not begun after this time is not heard. */
+export const BEGIN_MS = 1000;
+/** What is cancelled ends within this time, or its browser does not tell when. */
+export const CANCEL_MS = 250;
 /** Tones fade in and out over this time: abrupt ends click. */
 const RAMP_S = 0.012;
 
@@ -90,8 +95,13 @@ export function browserSounder(window: BrowserWindow): Sounder {
   };
 }
 
-/** The local voices. A remote voice is not used: it would send the words to somebody's server. */
-export function browserSpeaker(window: BrowserWindow): Speaker {
+/**
+ * The local voices. A remote voice is not used: it would send the words to somebody's server.
+ *
+ * Chromium on Linux never speaks a sentence that is given before the cancelled one has ended. So nothing is cancelled
+ * while nothing is spoken, and the next sentence waits for the end of the one before.
+ */
+export function browserSpeaker(window: BrowserWindow, timers: Timers): Speaker {
   const synthesis = (window.speechSynthesis as SpeechSynthesis | undefined) ?? null;
   const changed = new Set<() => void>();
   const tell = (): void => {
@@ -100,6 +110,10 @@ export function browserSpeaker(window: BrowserWindow): Speaker {
     }
   };
   let isAllowed = false;
+  // Kept, because a browser may drop a sentence that nobody holds, with its events.
+  let spoken: SpeechSynthesisUtterance | null = null;
+  let next: (() => void) | null = null;
+  let endWait = nothing;
   if (synthesis !== null) {
     synthesis.addEventListener("voiceschanged", tell);
     onPress(window, () => {
@@ -114,6 +128,47 @@ export function browserSpeaker(window: BrowserWindow): Speaker {
   const voiceOf = (language: Language): SpeechSynthesisVoice | undefined =>
     voices().find(({ lang }) => lang.toLowerCase().startsWith(language));
 
+  function stop(): void {
+    endWait();
+    endWait = nothing;
+    next = null;
+    if (spoken !== null) {
+      synthesis?.cancel();
+    }
+  }
+
+  function begin(sentence: SpeechSynthesisUtterance, told: (isHeard: boolean) => void): void {
+    spoken = sentence;
+    endWait = timers.after(BEGIN_MS, () => {
+      stop();
+      told(false);
+    });
+    sentence.addEventListener("start", () => {
+      if (spoken === sentence) {
+        endWait();
+        told(true);
+      }
+    });
+    for (const end of ["end", "error"]) {
+      sentence.addEventListener(end, () => {
+        if (spoken === sentence) {
+          ended();
+        }
+      });
+    }
+    synthesis?.speak(sentence);
+  }
+
+  function ended(): void {
+    const following = next;
+    spoken = null;
+    next = null;
+    if (following !== null) {
+      endWait();
+      following();
+    }
+  }
+
   return {
     state: (language) => {
       if (voices().length === 0) {
@@ -125,18 +180,25 @@ export function browserSpeaker(window: BrowserWindow): Speaker {
       return isAllowed ? "ready" : "waits";
     },
     onState: (listener) => changed.add(listener),
-    hush: () => synthesis?.cancel(),
-    say: (text, language, volume) => {
+    hush: stop,
+    say: (text, language, volume, told) => {
       const voice = voiceOf(language);
       if (synthesis === null || voice === undefined) {
         return;
       }
-      synthesis.cancel();
-      const utterance = new window.SpeechSynthesisUtterance(text);
-      utterance.voice = voice;
-      utterance.lang = voice.lang;
-      utterance.volume = volume;
-      synthesis.speak(utterance);
+      const sentence = new window.SpeechSynthesisUtterance(text);
+      sentence.voice = voice;
+      sentence.lang = voice.lang;
+      sentence.volume = volume;
+      stop();
+      if (spoken === null) {
+        begin(sentence, told);
+      } else {
+        next = () => begin(sentence, told);
+        endWait = timers.after(CANCEL_MS, ended);
+      }
     },
   };
 }
+
+function nothing(): void {}
