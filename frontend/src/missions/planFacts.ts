@@ -1,6 +1,7 @@
 import type { WaypointField } from "../lib/plan";
 import type { CommandName } from "../protocol/messages.gen";
 import type { PlanName } from "../protocol/missions";
+import type { TelemetryStore } from "../store/telemetry";
 
 interface PlanFacts {
   /** The topic in which the board reports the active waypoint. */
@@ -33,6 +34,11 @@ export const PLAN: Readonly<Record<PlanName, PlanFacts>> = {
     file: "epf-hil-plan",
   },
 };
+
+/** Also by an old heartbeat: nobody has said since that the autopilot is off. */
+export function isFlownByAutopilot(telemetry: TelemetryStore, plan: PlanName): boolean {
+  return telemetry.newestFlag("heartbeat", PLAN[plan].autopilot) === true;
+}
 
 /** The editable columns, with their keys in the catalogue. */
 export const COLUMN = {

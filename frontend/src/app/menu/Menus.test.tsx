@@ -195,6 +195,17 @@ describe("what does not come back by itself", () => {
     expect(asked(station)).toEqual(['PUT hil {"path":"manual"}']);
   });
 
+  test("is asked first: another route while the HIL autopilot flies", async () => {
+    const station = flying();
+    const user = userEvent.setup(QUICK);
+    await open(user, station, "XPlane");
+    await user.click(entry("HIL Load Vuelo"));
+    expect(asked(station)).toEqual([]);
+    const question = screen.getByRole("alertdialog", { name: "¿Cargar una ruta en vuelo?" });
+    await user.click(within(question).getByRole("button", { name: "Cargar y volarla" }));
+    expect(asked(station)).toEqual([command("hil_load_vuelo")]);
+  });
+
   test("is asked first: the board's Reset", async () => {
     const station = flying();
     const user = userEvent.setup(QUICK);

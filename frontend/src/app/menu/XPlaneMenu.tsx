@@ -1,8 +1,10 @@
 import { useTranslation } from "react-i18next";
+import { isFlownByAutopilot } from "../../missions/planFacts";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection, useTelemetry } from "../../store/hooks";
+import { useConnection, usePage, useTelemetry } from "../../store/hooks";
 import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
 import { useChoosePath } from "../toolbars/useChoosePath";
+import { useDialogs } from "../views/useDialogs";
 import { CommandItem, useOutcome } from "./items";
 
 /** The routes built into the board, by the board's number. */
@@ -23,12 +25,31 @@ export function XPlaneMenu() {
   );
 }
 
+/** If the HIL autopilot flies, it asks first: the aircraft would turn to another route at once. */
 function Routes() {
+  const { t } = useTranslation();
+  const { telemetry } = usePage();
+  const { ask } = useDialogs();
   const loaded = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber("board_status", "hil_plan_name", now_ms),
   );
   return ROUTES.map((command, route) => (
-    <CommandItem key={command} command={command} isCurrent={loaded === route} />
+    <CommandItem
+      key={command}
+      command={command}
+      isCurrent={loaded === route}
+      confirm={(send) =>
+        isFlownByAutopilot(telemetry, "hil")
+          ? ask({
+              title: t("plans.routeTitle"),
+              text: t("plans.routeText"),
+              confirm: t("plans.routeConfirm"),
+              danger: true,
+              onConfirm: send,
+            })
+          : send()
+      }
+    />
   ));
 }
 

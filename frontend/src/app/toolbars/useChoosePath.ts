@@ -1,4 +1,5 @@
 import { useTranslation } from "react-i18next";
+import { isFlownByAutopilot } from "../../missions/planFacts";
 import { ACTIONS } from "../../requests/actions";
 import { usePage, usePart } from "../../store/hooks";
 import { useDialogs } from "../views/useDialogs";
@@ -15,9 +16,7 @@ export function useChoosePath(): (path: "manual" | "assisted") => void {
   return (path) => {
     const choose = (): void => void actions.setHil({ path }, { control: "path", asked: path });
     const isAssisted = connection.getState().status?.hil.path === "assisted";
-    // Also by an old heartbeat: nobody has said since that the autopilot is off.
-    const isFlying = telemetry.newestFlag("heartbeat", "autopilot_hil") === true;
-    if (path === "manual" && isAssisted && isFlying) {
+    if (path === "manual" && isAssisted && isFlownByAutopilot(telemetry, "hil")) {
       ask({
         title: t("path.manualTitle"),
         text: t("path.manualText"),

@@ -310,6 +310,20 @@ describe("on a board that does not transfer plans", () => {
   });
 });
 
+test("a built-in route is loaded in flight only after a question", async () => {
+  open();
+  station.send({ heartbeat: { autopilot_hil: true } });
+  await user.click(screen.getByRole("tab", { name: "Plan HIL" }));
+  await user.selectOptions(screen.getByRole("combobox", { name: "Ruta HIL" }), "vuelo");
+  await user.click(button("Cargar en la placa"));
+  const question = () => screen.getByRole("alertdialog", { name: "¿Cargar una ruta en vuelo?" });
+  await user.click(within(question()).getByRole("button", { name: "Cancelar" }));
+  expect(station.asked).toEqual([]);
+  await user.click(button("Cargar en la placa"));
+  await user.click(within(question()).getByRole("button", { name: "Cargar y volarla" }));
+  expect(station.asked.map(({ path }) => path)).toEqual(["/api/v1/commands/hil_load_vuelo"]);
+});
+
 test("a built-in route is taken by the board, and then read from it", async () => {
   open();
   await user.click(screen.getByRole("tab", { name: "Plan HIL" }));
