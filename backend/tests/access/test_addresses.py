@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
-from epf_gcs.access.addresses import addresses
+from epf_gcs.access.addresses import _outward_address, addresses
 from epf_gcs.access.roles import Role
+from epf_gcs.tls.identity import addresses_by_interface
 from epf_gcs.web.serving.settings import Settings
 from tests.support.callers import person, strict_gateway
 from tests.support.gateway import Gateway, running_gateway
@@ -54,12 +55,37 @@ def test_the_certificate_is_for_it_too(tmp_path: Path) -> None:
 def test_only_addresses_at_which_the_station_answers_a_browser_are_told(
     monkeypatch: pytest.MonkeyPatch, listens_on: str, numbers: list[str]
 ) -> None:
-    here = ["127.0.0.1", "::1", "192.168.1.5", "fd00::2", "fe80::1%eth0"]
-    monkeypatch.setattr("epf_gcs.access.addresses.addresses_here", lambda: here)
+    here = [("eth0", number) for number in ("127.0.0.1", "::1", "192.168.1.5", "fd00::2", "fe80::1%eth0")]
+    monkeypatch.setattr("epf_gcs.access.addresses.addresses_by_interface", lambda: here)
     told = addresses(listens_on, 8000, secure=False)
     assert [address for address in told if not address.endswith(".local:8000")] == numbers
     if listens_on == "fe80::1%eth0":
         assert len(told) == 1  # by its name it is reached all the same
+
+
+@pytest.mark.parametrize(
+    ("outward", "order"),
+    [
+        ("192.168.1.5", ["192.168.1.5", "10.0.0.7", "172.17.0.1", "10.8.0.2"]),
+        # A private network that has taken the default route is not where the phones are.
+        ("10.8.0.2", ["10.0.0.7", "192.168.1.5", "10.8.0.2", "172.17.0.1"]),
+        (None, ["10.0.0.7", "192.168.1.5", "172.17.0.1", "10.8.0.2"]),
+    ],
+)
+def test_the_network_of_the_default_route_is_told_first_and_virtual_ones_last(
+    monkeypatch: pytest.MonkeyPatch, outward: str | None, order: list[str]
+) -> None:
+    here = [("docker0", "172.17.0.1"), ("eth0", "10.0.0.7"), ("tun0", "10.8.0.2"), ("wlan0", "192.168.1.5")]
+    monkeypatch.setattr("epf_gcs.access.addresses.addresses_by_interface", lambda: here)
+    monkeypatch.setattr("epf_gcs.access.addresses._outward_address", lambda _: outward)
+    told = addresses("0.0.0.0", 8000, secure=False)  # noqa: S104 - nothing listens
+    assert told[:-1] == [f"http://{number}:8000" for number in order]
+
+
+def test_the_way_out_is_an_address_of_this_machine_or_unknown() -> None:
+    own = {number for _, number in addresses_by_interface()}
+    for version in (4, 6):
+        assert _outward_address(version) in {None, *own}
 
 
 @pytest.mark.parametrize(

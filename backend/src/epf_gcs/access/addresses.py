@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import io
 import ipaddress
+import re
 import socket
-from collections.abc import Iterable
 from functools import lru_cache
 from typing import Final
 from urllib.parse import urlencode, urlsplit
 
 import segno
 
-from epf_gcs.tls.identity import addresses_here
+from epf_gcs.tls.identity import addresses_by_interface
 
 _ANY: Final = frozenset(("0.0.0.0", "::"))  # noqa: S104 - compared, not listened on
+
+# Containers, virtual machines and private networks: who stands beside the aircraft does not reach the station there.
+_VIRTUAL: Final = re.compile(
+    r"docker|podman|br-|veth|virbr|vmnet|vboxnet|vethernet|lxc|lxd|cni|flannel|cali|tun|tap|utun|wg|ppp|tailscale|zt|nebula",
+    re.IGNORECASE,
+)
+# Addresses of documentation (RFC 5737, 3849): everybody's default route leads to them, and nobody is there.
+_DOCUMENTATION: Final = {4: (socket.AF_INET, "192.0.2.1"), 6: (socket.AF_INET6, "2001:db8::1")}
 
 
 def addresses(host: str, port: int, *, secure: bool, reached_at: str | None = None) -> list[str]:
@@ -65,18 +73,33 @@ def own_names() -> list[str]:
 
 
 def _own_addresses(version: int) -> list[str]:
-    return _reachable(addresses_here(), version)
+    """The address by which this machine reaches other networks comes first, because its phones and laptops are there;
+    those of virtual interfaces come last.
 
-
-def _reachable(numbers: Iterable[str], version: int) -> list[str]:
-    """Whoever listens on all addresses of one version is not reached by the other. A link-local address needs its zone
-    in the URL, which browsers refuse."""
-    parsed = [ipaddress.ip_address(number.partition("%")[0]) for number in numbers]
-    return [
-        str(number)
-        for number in parsed
+    Whoever listens on all addresses of one version is not reached by the other. A link-local address needs its zone
+    in the URL, which browsers refuse.
+    """
+    parsed = [(name, ipaddress.ip_address(number.partition("%")[0])) for name, number in addresses_by_interface()]
+    reachable = [
+        (name, number)
+        for name, number in parsed
         if number.version == version and not number.is_loopback and not number.is_link_local
     ]
+    outward = _outward_address(version)
+    ranked = sorted(reachable, key=lambda one: (_VIRTUAL.match(one[0]) is not None, str(one[1]) != outward))
+    return [str(number) for _, number in ranked]
+
+
+def _outward_address(version: int) -> str | None:
+    """The own address on the way of the default route; None without one. Nothing is sent: a datagram socket that is
+    connected only looks the way up."""
+    family, anywhere = _DOCUMENTATION[version]
+    with socket.socket(family, socket.SOCK_DGRAM) as looking:
+        try:
+            looking.connect((anywhere, 9))
+        except OSError:
+            return None
+        return str(looking.getsockname()[0])
 
 
 def _is_link_local(host: str) -> bool:

@@ -52,8 +52,13 @@ def identity_of(machine: str, chosen: Iterable[str], addresses: Iterable[str]) -
 
 def addresses_here() -> list[str]:
     """Every address of every interface of this machine, without scopes."""
-    found = [ip.ip for adapter in ifaddr.get_adapters() for ip in adapter.ips]
-    return [one if isinstance(one, str) else one[0] for one in found]
+    return [number for _, number in addresses_by_interface()]
+
+
+def addresses_by_interface() -> list[tuple[str, str]]:
+    """The name of each interface of this machine with each of its addresses, without scopes."""
+    found = [(adapter.nice_name, ip.ip) for adapter in ifaddr.get_adapters() for ip in adapter.ips]
+    return [(name, one if isinstance(one, str) else one[0]) for name, one in found]
 
 
 def a_label(name: str) -> str | None:
