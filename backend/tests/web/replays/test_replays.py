@@ -46,15 +46,20 @@ def replays() -> list[int]:
 
 
 def samples_until(stream: Stream, wanted: Any) -> list[dict[str, Any]]:
-    """The samples until a playback message of which `wanted` says yes; every batch is acknowledged."""
+    """The samples until a playback message of which `wanted` says yes, and those of the batch that it came with: what
+    happens is sent before the samples of its turn. Every batch is acknowledged."""
     found: list[dict[str, Any]] = []
+    is_wanted = False
 
     def told(message: dict[str, Any]) -> bool | None:
+        nonlocal is_wanted
         if message["type"] == "batch":
             assert message["missed"] == 0
             found.extend(message["samples"])
             stream.acknowledge(message)
-        return True if message["type"] == "playback" and wanted(message) else None
+            return True if is_wanted else None
+        is_wanted = is_wanted or (message["type"] == "playback" and bool(wanted(message)))
+        return None
 
     first_of(stream.receive, told, "a playback that was wanted")
     return found
