@@ -25,6 +25,7 @@ from epf_gcs.vehicle.judges import (
     judge_recording,
     judge_stick,
 )
+from epf_gcs.vehicle.thresholds import chosen
 from epf_gcs.vehicle.traffic_judges import FloodJudge, StrangersJudge
 from epf_gcs.vehicle.unusable_value import UnusableValue
 
@@ -66,8 +67,11 @@ def test_what_nobody_knows_for_a_moment_changes_nothing_and_for_longer_does_not_
     assert not lasting.look(9.0, condition=True)
 
 
+BATTERY = chosen({"battery_low_v": 10.5, "battery_cells": 3})
+
+
 def battery(judge: BatteryJudge, *samples: tuple[float, float | None]) -> list[bool]:
-    return [judge.look(now_s, {"battery_v": battery_v}, 10.5) is not None for now_s, battery_v in samples]
+    return [judge.look(now_s, {"battery_v": battery_v}, BATTERY) is not None for now_s, battery_v in samples]
 
 
 def test_a_battery_is_low_after_three_seconds_below_its_limit() -> None:
@@ -83,15 +87,15 @@ def test_a_battery_that_sags_for_a_moment_is_no_alarm_and_a_spike_is_no_rescue()
 def test_a_battery_that_nobody_measures_is_no_alarm() -> None:
     judge = BatteryJudge()
     assert battery(judge, (0, 9.0), (4, 9.0), (5, None), (6, None), (7, 9.0)) == [False, True, True, False, False]
-    assert judge.look(60, None, 10.5) is None
+    assert judge.look(60, None, BATTERY) is None
 
 
 def test_the_battery_says_the_low_voltage_also_while_a_spike_lasts() -> None:
     judge = BatteryJudge()
     battery(judge, (0, 9.04), (3, 9.04))
-    found = judge.look(4, {"battery_v": 12.0}, 10.5)
+    found = judge.look(4, {"battery_v": 12.0}, BATTERY)
     assert found is not None
-    assert (found.level, found.params) == ("critical", {"battery_v": 9.0})
+    assert (found.level, found.params) == ("critical", {"battery_v": 9.0, "limit_v": 10.5})
     assert "9.0 V" in found.text
 
 
@@ -340,12 +344,12 @@ def test_a_kept_state_goes_on_with_what_was_said_and_since_when_nothing_is_known
     battery_judge, again = BatteryJudge(), BatteryJudge()
     battery(battery_judge, (0, 9.0), (3, 9.0), (4, 11.0))
     again.restore(battery_judge.kept())
-    found = again.look(5, {"battery_v": 11.0}, 10.5)
+    found = again.look(5, {"battery_v": 11.0}, BATTERY)
     assert found is not None
-    assert found.params == {"battery_v": 9.0}
-    assert again.look(6, None, 10.5) is not None
+    assert found.params == {"battery_v": 9.0, "limit_v": 10.5}
+    assert again.look(6, None, BATTERY) is not None
     battery_judge.restore(again.kept())
-    assert battery_judge.look(7, None, 10.5) is None, "unknown for a second, of which most was before"
+    assert battery_judge.look(7, None, BATTERY) is None, "unknown for a second, of which most was before"
     cpu, cpu_again = CpuJudge(), CpuJudge()
     for now_s in (0, 3):
         cpu.look(now_s, {"sensor_dsc_percent": 97}, 90)

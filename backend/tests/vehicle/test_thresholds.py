@@ -16,7 +16,8 @@ DEFAULTS = {threshold.name: threshold.default for threshold in THRESHOLDS}
 def test_every_default_is_allowed_and_every_name_ends_in_its_unit() -> None:
     for threshold in THRESHOLDS:
         assert threshold_fault(threshold, threshold.default) is None
-        assert threshold.name.endswith({"V": "_v", "%": "_percent", "s": "_s"}[threshold.unit])
+        ending = {"V": "_v", "%": "_percent", "s": "_s", "ft": "_ft", "kt": "_kt", "m": "_m", "": ""}[threshold.unit]
+        assert threshold.name.endswith(ending)
 
 
 @pytest.mark.parametrize(
@@ -53,3 +54,8 @@ def test_whatever_was_kept_every_limit_is_allowed(kept: dict[str, Any]) -> None:
 def test_what_was_chosen_counts() -> None:
     assert chosen({"battery_low_v": 11.1}) == {**DEFAULTS, "battery_low_v": 11.1}
     assert chosen({"battery_low_v": True, "hil_lost_s": 99}) == DEFAULTS
+
+
+def test_the_earlier_default_of_three_cells_is_no_choice_and_a_pack_is_judged_by_its_own_cells() -> None:
+    assert chosen({"battery_low_v": 10.5, "hil_lost_s": 0.7})["battery_low_v"] == 0.0
+    assert chosen({"battery_low_v": 10.5, "battery_cells": 0})["battery_low_v"] == 10.5

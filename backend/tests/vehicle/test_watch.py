@@ -16,6 +16,7 @@ from tests.support.outlet import KeptOutlet
 
 NAN = math.nan
 GPS = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, ord("8"), ord("3"), ord("A"))
+MANY = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x3132, ord("3"), ord("A"))
 EMPTY = encode_telemetry("analog", 1013.0, 10.0, NAN, NAN, NAN, NAN, NAN, 20.0, 9.04, NAN)
 FULL = encode_telemetry("analog", 1013.0, 10.0, NAN, NAN, NAN, NAN, NAN, 20.0, 12.0, NAN)
 BUSY = encode_telemetry("statistics", 99, 20)
@@ -30,6 +31,7 @@ class Told:
 
     def __init__(self) -> None:
         self.at_s = 1000.0
+        self.limits: dict[str, float] = {}
         self.vehicle = Vehicle(self, KeptOutlet(), ErrorLog(), lambda _: 0.1)
         self.watch = VehicleWatch(self.vehicle.board, self.vehicle.telemetry, self.at_s)
 
@@ -45,7 +47,7 @@ class Told:
         for _ in range(round(seconds * 10)):
             self.at_s += 0.1
             self.vehicle.board.on_bytes(b"".join(frames))
-            told = self.watch.look(self.at_s, chosen({}), None, None, wants_gps=wants_gps)
+            told = self.watch.look(self.at_s, chosen(self.limits), None, None, wants_gps=wants_gps)
             found = {finding.id: finding.params for finding in told}
         return found
 
@@ -76,7 +78,7 @@ def test_once_no_board_was_wanted_nobody_waits_for_its_position() -> None:
 @pytest.mark.parametrize(
     ("bad", "good", "found"),
     [
-        (EMPTY, FULL, {"battery_low": {"battery_v": 9.0}}),
+        (EMPTY, FULL, {"battery_low": {"battery_v": 9.0, "limit_v": 10.5, "cells": 3}}),
         (BUSY, encode_telemetry("statistics", 20, 20), {"cpu_high": {"percent": 99}}),
     ],
 )
@@ -130,3 +132,82 @@ def test_heartbeat_and_loop_have_each_their_own_patience() -> None:
         limits = {**chosen({}), "heartbeat_lost_s": heartbeat_s, "hil_lost_s": hil_s}
         seen = told.watch.look(told.at_s, limits, line, loop, wants_gps=False)
         assert [one.id for one in seen] == found, "the most urgent is first"
+
+
+def analog(*, altitude_m: float = 10.0, airspeed_kt: float = NAN, battery_v: float = NAN) -> bytes:
+    return encode_telemetry("analog", 1013.0, altitude_m, NAN, NAN, airspeed_kt, NAN, NAN, 20.0, battery_v, NAN)
+
+
+@pytest.mark.parametrize(("full_v", "low_v", "cells"), [(12.5, 10.4, 3), (25.1, 20.9, 6), (41.0, 34.9, 10)])
+def test_a_battery_is_low_by_the_cells_that_its_voltage_tells(full_v: float, low_v: float, cells: int) -> None:
+    told = Told()
+    assert told.after(5.0, heartbeat(gps=False), analog(battery_v=full_v)) == {}
+    assert told.after(5.0, heartbeat(gps=False), analog(battery_v=low_v + 0.2)) == {}
+    low = told.after(5.0, heartbeat(gps=False), analog(battery_v=low_v))
+    assert low == {"battery_low": {"battery_v": low_v, "limit_v": 3.5 * cells, "cells": cells}}
+    pack = told.watch.battery.pack(chosen({}))
+    assert pack is not None
+    assert (pack.cells, pack.is_guessed, pack.low_v) == (cells, True, 3.5 * cells)
+
+
+def test_what_the_operator_says_of_the_battery_counts_and_not_the_guess() -> None:
+    told = Told()
+    told.limits = {"battery_cells": 11.0}
+    frames = heartbeat(gps=False), analog(battery_v=38.0)
+    assert told.after(5.0, *frames)["battery_low"] == {"battery_v": 38.0, "limit_v": 38.5, "cells": 11}
+    told.limits = {"battery_cells": 11.0, "battery_low_v": 39.0}
+    assert told.after(5.0, *frames)["battery_low"] == {"battery_v": 38.0, "limit_v": 39.0}
+    told.limits = {"battery_low_v": 37.0}
+    assert told.after(5.0, *frames) == {}
+
+
+@pytest.mark.parametrize(
+    ("limit", "bad", "good", "found"),
+    [
+        ({"altitude_high_ft": 400.0}, analog(altitude_m=130.0), analog(altitude_m=100.0), "altitude_high"),
+        ({"airspeed_high_kt": 60.0}, analog(airspeed_kt=61.0), analog(airspeed_kt=59.0), "airspeed_high"),
+        ({"satellites_few": 9.0}, GPS, MANY, "satellites_few"),
+    ],
+)
+def test_a_limit_that_was_set_is_an_alarm_beyond_it_and_none_without_it(
+    limit: dict[str, float], bad: bytes, good: bytes, found: str
+) -> None:
+    told = Told()
+    assert told.after(5.0, heartbeat(gps=False), bad) == {}
+    told.limits = limit
+    assert list(told.after(5.0, heartbeat(gps=False), bad)) == [found]
+    assert told.after(5.0, heartbeat(gps=False), good) == {}
+    told.limits = {}
+    assert told.after(0.2, heartbeat(gps=False), bad) == {}
+
+
+def test_the_least_airspeed_counts_only_in_flight() -> None:
+    told = Told()
+    told.limits = {"airspeed_low_kt": 30.0}
+    at = {speed: analog(airspeed_kt=speed) for speed in (5.0, 25.0, 40.0)}
+    assert told.after(5.0, heartbeat(gps=False), at[5.0]) == {}, "before take-off"
+    assert told.after(5.0, heartbeat(gps=False), at[40.0]) == {}
+    assert told.after(5.0, heartbeat(gps=False), at[25.0]) == {"airspeed_low": {"value": 25, "limit": 30}}
+    assert told.after(5.0, heartbeat(gps=False), at[5.0]) == {}, "landed"
+
+
+def test_the_distance_counts_from_the_first_valid_position() -> None:
+    told = Told()
+    told.limits = {"distance_far_m": 1000.0}
+    away = encode_telemetry("gps", 27.92, -15.4, 30.0, 0.0, 0.0, ord("8"), ord("3"), ord("A"))
+    void = encode_telemetry("gps", 0.0, 0.0, 0.0, 0.0, 0.0, ord("0"), ord("0"), ord("V"))
+    told.after(2.0, heartbeat(gps=True), void)
+    assert told.after(2.0, heartbeat(gps=True), GPS) == {}
+    found = told.after(5.0, heartbeat(gps=True), away)["distance_far"]
+    assert found == {"value": pytest.approx(2224, abs=3), "limit": 1000}
+
+
+def test_channels_that_the_board_does_not_hear_any_more_are_a_lost_receiver() -> None:
+    told = Told()
+    servos = encode_telemetry("servos_in", *[0.0] * 12)
+    assert told.after(5.0, heartbeat(gps=False)) == {}, "a receiver that was never heard may not be there"
+    assert told.after(2.0, heartbeat(gps=False), servos) == {}
+    unheard = encode_telemetry("servos_in", *[NAN] * 12)
+    assert told.after(5.0, heartbeat(gps=False), unheard) == {"receiver_lost": {}}
+    assert told.after(5.0, heartbeat(gps=False), servos) == {}
+    assert told.after(5.0, heartbeat(gps=False)) == {}, "a stream that is off tells nothing"

@@ -157,6 +157,16 @@ export const isArgument = shape({
 });
 export type Argument = Checked<typeof isArgument>;
 
+/** What the battery's alarm goes by: the highest voltage seen, how many cells it has (guessed from that voltage
+ * until the operator says it), and the voltage below which it is low. */
+export const isBatteryPack = shape({
+  cells: isNumber,
+  highest_v: isNumber,
+  is_guessed: isFlag,
+  low_v: isNumber,
+});
+export type BatteryPack = Checked<typeof isBatteryPack>;
+
 /** The board began anew in flight and lost what was not stored on its card: these gains and plans.
  *
  * `silent_s`: how long it was silent; null if not measured. `uptime_ms`: how long it had run when it was heard again. */
@@ -1649,7 +1659,7 @@ export type SurroundingsChoice = Checked<typeof isSurroundingsChoice>;
 export const isSurroundingsEvent = shape({});
 export type SurroundingsEvent = Checked<typeof isSurroundingsEvent>;
 
-/** One limit of an alarm; its unit stands in its name too. */
+/** One limit of an alarm; its unit stands in its name too, and is empty for a count. */
 export const isThresholdState = shape({
   default: isNumber,
   maximum: isNumber,
@@ -1660,8 +1670,9 @@ export const isThresholdState = shape({
 });
 export type ThresholdState = Checked<typeof isThresholdState>;
 
-/** All limits. */
+/** All limits, and what the battery's alarm goes by; null while no voltage was measured. */
 export const isThresholdList = shape({
+  battery: nullable(isBatteryPack),
   thresholds: list(isThresholdState),
 });
 export type ThresholdList = Checked<typeof isThresholdList>;

@@ -35,6 +35,25 @@ class Sample(Shape):
 
 
 @dataclass(frozen=True, slots=True)
+class BatteryPack(Shape):
+    """What the battery's alarm goes by: the highest voltage seen, how many cells it has (guessed from that voltage
+    until the operator says it), and the voltage below which it is low."""
+
+    highest_v: float
+    cells: int
+    is_guessed: bool
+    low_v: float
+
+
+@dataclass(frozen=True, slots=True)
+class AlarmLimits(Shape):
+    """The limits of the alarms by name, each in the unit of its name; `battery` is null while none was measured."""
+
+    values: Mapping[str, float]
+    battery: BatteryPack | None
+
+
+@dataclass(frozen=True, slots=True)
 class PortState(Shape):
     """A serial port. `identity` is the same wherever the device is plugged in."""
 

@@ -13,6 +13,7 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.answers import (
     AircraftName,
     AlarmBook,
+    AlarmLimits,
     CommandOutcome,
     DiskPolicy,
     FlightKnowledge,
@@ -213,12 +214,12 @@ class ReadAlarms(Request[AlarmBook]):
 
 
 @dataclass(frozen=True, slots=True)
-class ReadThresholds(Request[dict[str, float]]):
+class ReadThresholds(Request[AlarmLimits]):
     """The limits of the alarms, by name."""
 
 
 @dataclass(frozen=True, slots=True)
-class ChooseThresholds(Request[dict[str, float]]):
+class ChooseThresholds(Request[AlarmLimits]):
     """Change limits of alarms."""
 
     values: Mapping[str, float]

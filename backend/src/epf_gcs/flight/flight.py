@@ -222,7 +222,7 @@ class Flight:
                 **parameter_requests(self.parameters),
                 **mission_requests(self.missions),
                 **self.switches.requests(),
-                **alarm_requests(self.alarms),
+                **alarm_requests(self.alarms, self.watch.battery),
                 **recording_requests(self.recorder, self.notes, self._known, self.memory, self.outlet),
             }
         )

@@ -6,14 +6,17 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.flight_figures import FlightFigures
 from epf_gcs.vehicle.judges import (
     BatteryJudge,
     CpuJudge,
     DamageJudge,
     Finding,
     GpsJudge,
+    LimitJudge,
     Line,
     Loop,
+    ReceiverJudge,
     judge_card,
     judge_heartbeat,
     judge_hil,
@@ -29,10 +32,37 @@ class VehicleWatch:
     def __init__(self, board: Board, telemetry: Telemetry, now_s: float) -> None:
         self._board = board
         self._telemetry = telemetry
-        self._battery = BatteryJudge()
+        self.battery = BatteryJudge()
         self._cpu = CpuJudge()
         self._gps = GpsJudge()
         self._damage = DamageJudge(now_s)
+        self._receiver = ReceiverJudge()
+        self._limits = {
+            "altitude_high_ft": LimitJudge(
+                "altitude_high", "warning", "The aircraft is at {value} ft, above the limit of {limit} ft: descend."
+            ),
+            "airspeed_low_kt": LimitJudge(
+                "airspeed_low",
+                "critical",
+                "The airspeed is {value} kt, below {limit} kt: lower the nose, more throttle.",
+                is_least=True,
+            ),
+            "airspeed_high_kt": LimitJudge(
+                "airspeed_high",
+                "warning",
+                "The airspeed is {value} kt, above {limit} kt: less throttle, raise the nose.",
+            ),
+            "distance_far_m": LimitJudge(
+                "distance_far", "warning", "The aircraft is {value} m from where its flight began, beyond {limit} m."
+            ),
+            "satellites_few": LimitJudge(
+                "satellites_few",
+                "warning",
+                "The GPS uses {value} satellites, fewer than {limit}: do not trust its position.",
+                is_least=True,
+            ),
+        }
+        self._flight = FlightFigures()
 
     @property
     def damaged_percent(self) -> float:
@@ -57,8 +87,10 @@ class VehicleWatch:
             judge_hil(loop, limits["hil_lost_s"]),
             *simulator,
             judge_pause(loop),
-            self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
+            self.battery.look(now_s, self._live("analog"), limits),
+            self._receiver.look(now_s, self._live("servos_in")),
             self._look_at_gps(now_s, is_wanted=wants_gps),
+            *self._look_at_limits(now_s, limits),
             self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),
             self._damage.look(now_s, board.frames_received, board.frames_damaged, limits["frames_damaged_percent"]),
             judge_card(board.capabilities()),
@@ -72,7 +104,10 @@ class VehicleWatch:
     def kept(self) -> dict[str, Any]:
         """What the rules remember, as plain values for `restore`."""
         return {
-            "battery": self._battery.kept(),
+            "battery": self.battery.kept(),
+            "receiver": self._receiver.kept(),
+            "limits": {name: judge.kept() for name, judge in self._limits.items()},
+            "flight": self._flight.kept(),
             "cpu": self._cpu.kept(),
             "gps": self._gps.kept(),
             "damage": self._damage.kept(),
@@ -80,10 +115,18 @@ class VehicleWatch:
 
     def restore(self, kept: Mapping[str, Any]) -> None:
         """Go on from what `kept` gave."""
-        self._battery.restore(kept["battery"])
+        self.battery.restore(kept["battery"])
+        self._receiver.restore(kept["receiver"])
+        for name, judge in self._limits.items():
+            judge.restore(kept["limits"][name])
+        self._flight.restore(kept["flight"])
         self._cpu.restore(kept["cpu"])
         self._gps.restore(kept["gps"])
         self._damage.restore(kept["damage"])
+
+    def _look_at_limits(self, now_s: float, limits: Mapping[str, float]) -> list[Finding | None]:
+        values = self._flight.of(self._live("analog"), self._live("gps"), limits["airspeed_low_kt"])
+        return [judge.look(now_s, values[name], limits[name]) for name, judge in self._limits.items()]
 
     def _live(self, topic: str) -> Values | None:
         return self._telemetry.newest(topic) if self._telemetry.is_live(topic) else None

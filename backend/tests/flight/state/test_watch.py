@@ -148,7 +148,7 @@ async def test_a_low_battery_is_critical_while_it_is_measured(tmp_path: Path, bo
 
         await eventually_async(drain, "the alarm comes")
         assert station.alarms.active[0].finding.level == "critical"
-        assert station.alarms.active[0].finding.params == {"battery_v": 9.9}
+        assert station.alarms.active[0].finding.params == {"battery_v": 9.9, "limit_v": 10.5, "cells": 3}
         await eventually_async(lambda: ids(station) == set(), "a battery that is not measured any more is no alarm")
 
         def lower_limit() -> bool:

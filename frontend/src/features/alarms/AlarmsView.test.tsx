@@ -19,6 +19,7 @@ const LOST = {
 const LOW = { ...LOST, id: "battery_low", level: "warning", params: { battery_v: 9.8 } } as const;
 const PAST = { ...LOW, since_s: 1_699_999_000, until_s: 1_699_999_065, acknowledged: true };
 const BATTERY = { name: "battery_low_v", value: 11, default: 10.5, minimum: 0, maximum: 60, unit: "V" };
+const PACK = { highest_v: 41, cells: 10, is_guessed: true, low_v: 35 };
 
 let station: Station;
 
@@ -39,7 +40,7 @@ beforeEach(async () => {
   station.greet();
   station.show();
   await asked("GET", "/api/v1/alarms")[0]?.answer({ active: [], past: [PAST] });
-  await asked("GET", "/api/v1/alarms/thresholds")[0]?.answer({ thresholds: [BATTERY] });
+  await asked("GET", "/api/v1/alarms/thresholds")[0]?.answer({ thresholds: [BATTERY], battery: PACK });
 });
 
 describe("what is wrong", () => {
@@ -138,7 +139,7 @@ describe("a threshold", () => {
     await user.keyboard("{Enter}");
     const [question] = asked("PUT", "/api/v1/alarms/thresholds");
     expect(question?.body).toEqual({ battery_low_v: 9.9 });
-    await question?.answer({ thresholds: [{ ...BATTERY, value: 9.9 }] });
+    await question?.answer({ thresholds: [{ ...BATTERY, value: 9.9 }], battery: null });
     expect((field() as HTMLInputElement).value).toBe("9.9");
   });
 
@@ -153,6 +154,17 @@ describe("a threshold", () => {
     await user.click(within(panel("Umbrales")).getByRole("button", { name: /^Valor de fábrica: Batería/ }));
     expect(asked("PUT", "/api/v1/alarms/thresholds")[0]?.body).toEqual({ battery_low_v: 10.5 });
   });
+});
+
+test("the cells of the battery are guessed aloud, and one press says how many there are", async () => {
+  expect(panel("Umbrales").textContent).toContain("ha llegado a 41 V y se toma por una de 10 celdas");
+  await user.click(within(panel("Umbrales")).getByRole("button", { name: "Tiene 11" }));
+  const [question] = asked("PUT", "/api/v1/alarms/thresholds");
+  expect(question?.body).toEqual({ battery_cells: 11 });
+  const told = { ...PACK, cells: 11, low_v: 38.5, is_guessed: false };
+  await question?.answer({ thresholds: [BATTERY], battery: told });
+  expect(panel("Umbrales").textContent).toContain("por debajo de 38.5 V, para 11 celdas");
+  expect(within(panel("Umbrales")).queryByRole("button", { name: /^Tiene/ })).toBeNull();
 });
 
 describe("what is heard", () => {

@@ -6,6 +6,7 @@ import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
 import { useConnection, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
+import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
 import { Panel } from "../../ui/Panel";
 import type { Threshold } from "./alarmLog";
@@ -28,19 +29,56 @@ export function Thresholds() {
       {thresholds === null ? (
         <p className="alarms-none">{t("alarmLog.notRead")}</p>
       ) : (
-        <ul className="alarms-thresholds">
-          {thresholds.map((threshold) => (
-            <Field key={threshold.name} threshold={threshold} />
-          ))}
-        </ul>
+        <>
+          <Battery />
+          <ul className="alarms-thresholds">
+            {thresholds.map((threshold) => (
+              <Field key={threshold.name} threshold={threshold} />
+            ))}
+          </ul>
+        </>
       )}
     </Panel>
   );
 }
 
-/** Step of 0.1 for small ranges, else 1. */
-function stepOf({ maximum, default: usual }: Threshold): number {
-  return maximum >= 100 && usual >= 10 ? 1 : 0.1;
+/** What the battery's alarm goes by. While its cells are only guessed, a press says how many there are. */
+function Battery() {
+  const { t } = useTranslation();
+  const alarmLog = usePart(ALARM_LOG);
+  const blocked = useGatewayBlocked();
+  const battery = useAlarmLogState((state) => state.battery);
+  const { state, stateText } = useAsked("threshold.battery_cells");
+  if (battery === null) {
+    return null;
+  }
+  const { cells, highest_v, low_v, is_guessed } = battery;
+  if (!is_guessed) {
+    return <Notice level="info">{t("alarmLog.battery", { cells, highest_v, low_v })}</Notice>;
+  }
+  return (
+    <Notice level="warning">
+      {t("alarmLog.batteryAsked", { cells, highest_v, low_v })}
+      {[cells, cells + 1].map((number) => (
+        <Button
+          key={number}
+          onPress={() =>
+            void alarmLog.setThreshold("battery_cells", number, { control: "threshold.battery_cells" })
+          }
+          state={state}
+          stateText={stateText}
+          disabledReason={blocked}
+        >
+          {t("alarmLog.batteryYes", { cells: number })}
+        </Button>
+      ))}
+    </Notice>
+  );
+}
+
+/** Step of 0.1 for small ranges, else 1; of 1 for what is counted. */
+function stepOf({ maximum, unit, default: usual }: Threshold): number {
+  return unit === "" || (maximum >= 100 && (usual >= 10 || usual === 0)) ? 1 : 0.1;
 }
 
 function Field({ threshold }: { threshold: Threshold }) {

@@ -10,6 +10,7 @@ import { type AlarmLevel, BOARD_RESTARTED, type BoardRestart, type OwnAlarm } fr
 
 export type PastAlarm = AlarmBook["past"][number];
 export type Threshold = ThresholdList["thresholds"][number];
+export type BatteryPack = NonNullable<ThresholdList["battery"]>;
 
 /** `waits`: the browser needs a user gesture first. `none`: it cannot play sound. */
 export type SounderState = "ready" | "waits" | "none";
@@ -55,6 +56,8 @@ export interface AlarmLogState {
   /** The gateway's past alarms, newest first; null until read. */
   readonly past: readonly PastAlarm[] | null;
   readonly thresholds: readonly Threshold[] | null;
+  /** What the battery's alarm goes by; null until a voltage was measured. */
+  readonly battery: BatteryPack | null;
   /** Why the list or the thresholds could not be read. */
   readonly failure: Message | null;
   /** Counts the gateway's reports that an alarm was raised or ended: when it changes, the list is out of date. */
@@ -76,6 +79,7 @@ export function createAlarmLogStore(): AlarmLogStore {
     ownPast: [],
     past: null,
     thresholds: null,
+    battery: null,
     failure: null,
     reported: 0,
     mutedUntil_ms: null,

@@ -97,17 +97,15 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
     readThresholds: async () => {
       const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholdList);
       store.setState(
-        answer.ok
-          ? { thresholds: answer.value.thresholds, failure: null }
-          : { failure: failureMessage(answer.problem) },
+        answer.ok ? { ...answer.value, failure: null } : { failure: failureMessage(answer.problem) },
       );
     },
     setThreshold: (name, value, asker) =>
       run(
         asker,
         rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholdList, { [name]: value }),
-        ({ thresholds }) => {
-          store.setState({ thresholds });
+        (limits) => {
+          store.setState(limits);
           return {
             state: "confirmed",
             message: info("alarmSaid.threshold", { what: `@alarmThreshold.${name}`, value }),

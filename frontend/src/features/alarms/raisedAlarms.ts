@@ -43,22 +43,36 @@ export interface ActiveAlarm {
 
 type HilStatus = NonNullable<Connection["status"]>["simulator"];
 
-/** The gateway has one alarm for the HIL loop; which end is open follows from the states of the two ends. */
-function hilKey({ state, missing_rows }: HilStatus): string {
-  if (state !== "open") {
-    return "hil_lost_simulator";
-  }
-  return missing_rows.length > 0 ? "hil_lost_rows" : "hil_lost";
-}
+type Variant = (params: Readonly<Record<string, unknown>>, simulator: HilStatus | null) => string;
 
-/** What is not watched any more, and whether the aircraft was outside the fence when it last was. */
-function unwatchedKey({ what, was_left }: Readonly<Record<string, unknown>>): string {
-  if (was_left === true) {
-    return "surroundings_unwatched_left";
-  }
-  const one = what === "terrain" || what === "fence" || what === "unknown" ? `_${what}` : "";
-  return `surroundings_unwatched${one}`;
-}
+const ceiling: Variant = ({ what }) => (what === "ceiling" ? "_ceiling" : "");
+
+/** Alarms with more than one sentence: what is added to the key of the first. */
+const VARIANTS: Readonly<Record<string, Variant>> = {
+  // The gateway has one alarm for the HIL loop; which end is open follows from the states of the two ends.
+  hil_lost: (params, simulator) => {
+    if ("row" in params) {
+      return "_value";
+    }
+    if (simulator === null) {
+      return "";
+    }
+    return simulator.state !== "open" ? "_simulator" : simulator.missing_rows.length > 0 ? "_rows" : "";
+  },
+  gps_lost: ({ reason }) => (reason === "silent" ? "_silent" : ""),
+  // The recordings of earlier versions do not tell the cells.
+  battery_low: (params) => ("cells" in params ? "_cells" : ""),
+  fence_ahead: ceiling,
+  fence_left: ceiling,
+  // What is not watched any more, and whether the aircraft was outside the fence when it last was.
+  surroundings_unwatched: ({ what, was_left }) => {
+    if (was_left === true) {
+      return "_left";
+    }
+    return what === "terrain" || what === "fence" || what === "unknown" ? `_${what}` : "";
+  },
+  [BOARD_RESTARTED]: (params) => `${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`,
+};
 
 /** The sentence of an alarm; `text` is the gateway's own, for an alarm that this page does not know. */
 export function alarmMessage(
@@ -69,24 +83,10 @@ export function alarmMessage(
   }: { readonly id: string; readonly text: string; readonly params: Readonly<Record<string, unknown>> },
   simulator: HilStatus | null,
 ): Message {
-  let key = id;
-  if (id === "hil_lost" && "row" in params) {
-    key = "hil_lost_value";
-  } else if (id === "hil_lost" && simulator !== null) {
-    key = hilKey(simulator);
-  } else if (id === "gps_lost" && params["reason"] === "silent") {
-    key = "gps_lost_silent";
-  } else if (id.startsWith("fence_") && params["what"] === "ceiling") {
-    key = `${id}_ceiling`;
-  } else if (id === "surroundings_unwatched") {
-    key = unwatchedKey(params);
-  } else if (id === BOARD_RESTARTED) {
-    key = `board_restarted${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`;
-  }
   const rows = simulator?.missing_rows.join(", ") ?? "";
   return {
     level: "warning",
-    key: `alarm.${key}`,
+    key: `alarm.${id}${VARIANTS[id]?.(params, simulator) ?? ""}`,
     params: { ...wordsOf(params), rows },
     fallback: text,
   };
@@ -169,6 +169,12 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   fence_left: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
   surroundings_unwatched: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
   cpu_high: (facts) => isFresh("statistics", facts),
+  receiver_lost: (facts) => isFresh("servos_in", facts),
+  altitude_high: (facts) => isFresh("analog", facts),
+  airspeed_low: (facts) => isFresh("analog", facts),
+  airspeed_high: (facts) => isFresh("analog", facts),
+  distance_far: (facts) => isFresh("gps", facts) && facts.telemetry.newestFlag("gps", "valid") === true,
+  satellites_few: (facts) => isFresh("gps", facts),
 };
 
 /** Whether the station still sees, around one of the aircraft, what the alarm was of. */

@@ -23,7 +23,8 @@ from epf_gcs.vehicle.journal import Kind, Step
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.parameters import BY_NAME, UNKNOWN, Held17
 
-_READ_S: Final = 1.0
+# Some seconds also on a busy computer: who reads has pressed a key and sees that it is under way.
+_READ_S: Final = 3.0
 
 
 class Parameters:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Handlers
-from epf_gcs.contract.answers import AlarmBook, Sample
+from epf_gcs.contract.answers import AlarmBook, AlarmLimits, BatteryPack, Sample
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.requests import (
     AcknowledgeAlarm,
@@ -42,18 +42,21 @@ def state_requests(
     return {ReadStatus: read_status, ReadTelemetry: read_telemetry, ReadInspector: inspect}
 
 
-def alarm_requests(alarms: Alarms) -> Handlers:
-    """The alarms and their thresholds."""
+def alarm_requests(alarms: Alarms, battery: Callable[[Mapping[str, float]], BatteryPack | None]) -> Handlers:
+    """The alarms and their thresholds; `battery` tells what its alarm goes by with these."""
+
+    def limits() -> AlarmLimits:
+        return AlarmLimits(dict(alarms.thresholds), battery(alarms.thresholds))
 
     async def read(_: ReadAlarms, __: Asker) -> AlarmBook:
         return AlarmBook([alarm.state for alarm in alarms.active], [alarm.past_state for alarm in alarms.past])
 
-    async def read_thresholds(_: ReadThresholds, __: Asker) -> dict[str, float]:
-        return dict(alarms.thresholds)
+    async def read_thresholds(_: ReadThresholds, __: Asker) -> AlarmLimits:
+        return limits()
 
-    async def choose(request: ChooseThresholds, _: Asker) -> dict[str, float]:
+    async def choose(request: ChooseThresholds, _: Asker) -> AlarmLimits:
         alarms.choose(dict(request.values))
-        return dict(alarms.thresholds)
+        return limits()
 
     async def acknowledge(request: AcknowledgeAlarm, _: Asker) -> AlarmState:
         return alarms.acknowledge(request.id).state

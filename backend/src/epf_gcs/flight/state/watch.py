@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from epf_gcs.contract.answers import BatteryPack
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.hil.hil import Hil
@@ -62,6 +63,10 @@ class Watch:
     def damaged_percent(self) -> float:
         """Share of damaged frames in the last ten seconds, in percent; 0 if there are too few frames."""
         return self._vehicle.damaged_percent
+
+    def battery(self, limits: Mapping[str, float]) -> BatteryPack | None:
+        """What the battery's alarm goes by; None while no voltage was measured."""
+        return self._vehicle.battery.pack(limits)
 
     def __call__(self, limits: Mapping[str, float]) -> list[Finding]:
         """All alarm conditions that hold now, the most urgent kinds first."""

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from epf_gcs.codec.encode import encode_telemetry
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.waiting import eventually
@@ -57,12 +59,19 @@ def test_what_is_not_active_cannot_be_acknowledged_and_a_viewer_cannot(gateway: 
 
 def test_limits_are_kept_over_a_restart(tmp_path: Path) -> None:
     with running_gateway(tmp_path / "data") as gateway:
-        assert limits(gateway.http.get("/alarms/thresholds"))["battery_low_v"] == 10.5
+        assert limits(gateway.http.get("/alarms/thresholds"))["battery_low_v"] == 0
         answer = gateway.http.put("/alarms/thresholds", json={"battery_low_v": 11.1})
         assert limits(answer)["battery_low_v"] == 11.1
     with running_gateway(tmp_path / "data") as gateway:
         assert limits(gateway.http.get("/alarms/thresholds")) == {
             "battery_low_v": 11.1,
+            "battery_cells": 0,
+            "battery_cell_low_v": 3.5,
+            "altitude_high_ft": 0,
+            "airspeed_low_kt": 0,
+            "airspeed_high_kt": 0,
+            "distance_far_m": 0,
+            "satellites_few": 0,
             "cpu_high_percent": 90,
             "frames_damaged_percent": 1,
             "heartbeat_lost_s": 1,
@@ -85,7 +94,7 @@ def test_a_limit_that_is_not_allowed_names_itself_and_changes_nothing(
 ) -> None:
     answer = gateway.http.put("/alarms/thresholds", json=changes)
     assert (answer.status_code, answer.json()["code"], answer.json()["params"]["field"]) == (status, code, field)
-    assert limits(gateway.http.get("/alarms/thresholds"))["battery_low_v"] == 10.5
+    assert limits(gateway.http.get("/alarms/thresholds"))["battery_low_v"] == 0
 
 
 def test_a_longer_patience_with_the_heartbeat_counts_at_once(gateway: Gateway, board: FakeBoard) -> None:
@@ -96,3 +105,16 @@ def test_a_longer_patience_with_the_heartbeat_counts_at_once(gateway: Gateway, b
     assert book(gateway)["active"] == []
     gateway.http.put("/alarms/thresholds", json={"heartbeat_lost_s": 1}).raise_for_status()
     eventually(lambda: len(book(gateway)["active"]) == 1, "now it is an alarm")
+
+
+def test_a_page_is_told_how_many_cells_the_battery_is_taken_for(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    assert gateway.http.get("/alarms/thresholds").json()["battery"] is None
+    nan = math.nan
+    with gateway.stream("?rate=0") as stream:
+        board.send(encode_telemetry("analog", 1013.0, 10.0, nan, nan, nan, nan, nan, 20.0, 41.0, nan))
+        stream.sample("analog")
+    guessed = {"highest_v": 41.0, "cells": 10, "is_guessed": True, "low_v": 35.0}
+    eventually(lambda: gateway.http.get("/alarms/thresholds").json()["battery"] == guessed, "it is guessed")
+    told = gateway.http.put("/alarms/thresholds", json={"battery_cells": 11}).json()["battery"]
+    assert told == {"highest_v": 41.0, "cells": 11, "is_guessed": False, "low_v": 38.5}

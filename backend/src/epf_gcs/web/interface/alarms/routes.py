@@ -6,7 +6,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Body, Path
 
-from epf_gcs.contract.answers import AlarmBook
+from epf_gcs.contract.answers import AlarmBook, AlarmLimits
 from epf_gcs.contract.requests import AcknowledgeAlarm, ChooseThresholds, ReadAlarms, ReadThresholds
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.vehicle.thresholds import THRESHOLDS
@@ -49,17 +49,18 @@ async def acknowledge_alarm(
     return await vehicle.ask(AcknowledgeAlarm(alarm_id), operator)
 
 
-def _thresholds(values: dict[str, float]) -> ThresholdList:
+def _thresholds(limits: AlarmLimits) -> ThresholdList:
     return ThresholdList(
         thresholds=[
             ThresholdState(
                 name=threshold.name,
-                value=values[threshold.name],
+                value=limits.values[threshold.name],
                 default=threshold.default,
                 minimum=threshold.minimum,
                 maximum=threshold.maximum,
                 unit=threshold.unit,
             )
             for threshold in THRESHOLDS
-        ]
+        ],
+        battery=limits.battery,
     )

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from epf_gcs.contract.answers import BatteryPack
 from epf_gcs.contract.shapes import Output
 
 
 class ThresholdState(Output):
-    """One limit of an alarm; its unit stands in its name too."""
+    """One limit of an alarm; its unit stands in its name too, and is empty for a count."""
 
     name: str
     value: float
@@ -17,6 +18,7 @@ class ThresholdState(Output):
 
 
 class ThresholdList(Output):
-    """All limits."""
+    """All limits, and what the battery's alarm goes by; null while no voltage was measured."""
 
     thresholds: list[ThresholdState]
+    battery: BatteryPack | None
