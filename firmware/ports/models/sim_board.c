@@ -6,6 +6,7 @@
 
 #include "common/angle.h"
 #include "common/limit.h"
+#include "common/units.h"
 #include "flight/board_sensors.h"
 #include "flight/hil_loop.h"
 #include "sim_air.h"
@@ -13,9 +14,6 @@
 #include "sim_inertial.h"
 #include "sim_motion.h"
 
-static const float m_per_ft = 0.3048F;
-static const float m_s_per_kt = 0.514444F;
-static const float m_s_per_ft_min = 0.00508F;
 static const float still_after_s = 1.0F;    ///< with simulator information older than this, the aircraft stands still
 static const float receiver_steps = 512.0F; ///< a receiver counts its pulses' lengths, so its channels change in steps
 static const float receiver_noise = 0.001F;
@@ -55,9 +53,9 @@ static void observe(void* context, const command_xplane_info_t* info, float thro
     sim.truth = (sim_truth_t){
         .latitude_deg = (double)info->latitude_deg,
         .longitude_deg = (double)info->longitude_deg,
-        .altitude_m = info->altitude_ft * m_per_ft,
-        .climb_m_s = info->vvi_ft_min * m_s_per_ft_min,
-        .airspeed_m_s = info->speed_kt * m_s_per_kt,
+        .altitude_m = info->altitude_ft * M_PER_FT,
+        .climb_m_s = info->vvi_ft_min * M_S_PER_FT_MIN,
+        .airspeed_m_s = info->speed_kt * M_S_PER_KT,
         .yaw_deg = angle_wrap_360(info->yaw_deg),
         .pitch_deg = info->pitch_deg,
         .roll_deg = info->roll_deg,

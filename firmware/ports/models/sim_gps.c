@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-static const float kt_per_m_s = 1.943844F;
-static const double m_per_deg = 111195.0; ///< of latitude, on the mean sphere
+#include "common/units.h"
+#include "navigation/geodesy.h"
+
 static const double rad_per_deg = 0.017453292519943295;
 static const float period_s = 0.2F;
 
@@ -35,10 +36,10 @@ static message_gps_t solve(sim_gps_t* model, const sim_truth_t* truth)
     sim_noise_wander(noise, &model->east_error_m, horizontal_error_m, error_time_s, period_s);
     sim_noise_wander(noise, &model->up_error_m, vertical_error_m, error_time_s, period_s);
     sim_noise_wander(noise, &model->satellites_wander, 0.8F, error_time_s, period_s);
-    const float speed_kt = truth->ground_speed_m_s * kt_per_m_s + sim_noise_normal(noise, speed_noise_kt);
-    const double east_m_per_deg = m_per_deg * cos(truth->latitude_deg * rad_per_deg);
+    const float speed_kt = truth->ground_speed_m_s / M_S_PER_KT + sim_noise_normal(noise, speed_noise_kt);
+    const double east_m_per_deg = GEODESY_M_PER_DEG * cos(truth->latitude_deg * rad_per_deg);
     return (message_gps_t){
-        .latitude_deg = (float)(truth->latitude_deg + (double)model->north_error_m / m_per_deg),
+        .latitude_deg = (float)(truth->latitude_deg + (double)model->north_error_m / GEODESY_M_PER_DEG),
         .longitude_deg = (float)(truth->longitude_deg + (double)model->east_error_m / fmax(east_m_per_deg, 1.0)),
         .altitude_m = truth->altitude_m + model->up_error_m,
         .speed_kt = fmaxf(0.0F, speed_kt),

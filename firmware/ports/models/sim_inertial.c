@@ -4,8 +4,7 @@
 #include <string.h>
 
 #include "common/angle.h"
-
-static const float gravity_m_s2 = 9.80665F;
+#include "common/units.h"
 
 // Errors of a small MEMS unit after calibration.
 static const float gyro_noise_rad_s = 0.002F;
@@ -97,7 +96,7 @@ static void specific_force(sim_inertial_t* model, const sim_truth_t* truth, floa
 {
     follow_path(model, truth, dt_s);
     const float level_m_s2[3] = {model->acceleration_m_s2[0], model->acceleration_m_s2[1],
-                                 model->acceleration_m_s2[2] - gravity_m_s2};
+                                 model->acceleration_m_s2[2] - GRAVITY_M_S2};
     tilt(truth, level_m_s2, force_m_s2);
 }
 

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "common/angle.h"
+#include "navigation/geodesy.h"
 
-static const double m_per_deg = 111195.0; ///< of latitude, on the mean sphere
 static const double rad_per_deg = 0.017453292519943295;
 
 static const uint32_t commands_per_place = 10;
@@ -15,12 +15,12 @@ static const float tropopause_m = 11000.0F;
 
 static float north_m(const sim_motion_place_t* from, const sim_motion_place_t* to)
 {
-    return (float)((to->latitude_deg - from->latitude_deg) * m_per_deg);
+    return (float)((to->latitude_deg - from->latitude_deg) * GEODESY_M_PER_DEG);
 }
 
 static float east_m(const sim_motion_place_t* from, const sim_motion_place_t* to)
 {
-    return (float)((to->longitude_deg - from->longitude_deg) * m_per_deg * cos(to->latitude_deg * rad_per_deg));
+    return (float)((to->longitude_deg - from->longitude_deg) * GEODESY_M_PER_DEG * cos(to->latitude_deg * rad_per_deg));
 }
 
 static float distance_m(const sim_motion_place_t* from, const sim_motion_place_t* to)

@@ -2,9 +2,7 @@
 
 #include <math.h>
 
-static const float kt_per_m_s = 1.943844F;
-static const float ft_min_per_m_s = 196.8504F;
-static const float pa_per_hpa = 100.0F;
+#include "common/units.h"
 
 /// NaN means that a sensor did not measure; it does not count as a bad sample.
 static estimator_samples_t samples_of(const sensors_reading_t* reading)
@@ -15,7 +13,7 @@ static estimator_samples_t samples_of(const sensors_reading_t* reading)
         .gyro_rad_s = {inertial->gx_rad_s, inertial->gy_rad_s, inertial->gz_rad_s},
         .accelerometer_m_s2 = {inertial->accx_m_s2, inertial->accy_m_s2, inertial->accz_m_s2},
         .magnetometer = {inertial->magx, inertial->magy, inertial->magz},
-        .static_pa = analog->baro_hpa * pa_per_hpa,
+        .static_pa = analog->baro_hpa * PA_PER_HPA,
         .pitot_pa = analog->pitot_pa,
         .is_measured =
             {
@@ -47,8 +45,8 @@ void sensing_update(estimator_t* estimator, const sensors_reading_t* reading, fl
     sensors->inertial.gz_rad_s = estimate.rate_rad_s[2];
     sensors->analog = reading->analog;
     sensors->analog.altitude_m = estimate.altitude_m;
-    sensors->analog.calibrated_airspeed_kt = estimate.calibrated_airspeed_m_s * kt_per_m_s;
-    sensors->analog.vvi_ft_min = estimate.vertical_speed_m_s * ft_min_per_m_s;
+    sensors->analog.calibrated_airspeed_kt = estimate.calibrated_airspeed_m_s / M_S_PER_KT;
+    sensors->analog.vvi_ft_min = estimate.vertical_speed_m_s / M_S_PER_FT_MIN;
     sensors->gps = reading->gps;
     sensors->servos_in = reading->receiver;
 }

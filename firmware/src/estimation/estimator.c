@@ -5,6 +5,7 @@
 
 #include "common/angle.h"
 #include "common/limit.h"
+#include "common/units.h"
 #include "estimation/air.h"
 #include "estimation/gravity.h"
 

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "common/limit.h"
+#include "common/units.h"
 
 /// A reading that differs from g by this share of it is a gust, a bump or an impact, and does not show where down is.
 static const float strength_tolerance = 0.3F;

@@ -7,8 +7,6 @@
 
 #include "estimation/rotation.h"
 
-#define GRAVITY_M_S2 9.80665F
-
 typedef struct
 {
     vector_t force_m_s2;     ///< specific force in body axes: 0, 0, -9.8 at rest and level

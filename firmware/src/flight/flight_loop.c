@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-static const float ft_per_m = 3.28084F;
+#include "common/units.h"
 
 void flight_loop_init(flight_loop_t* flight)
 {
@@ -43,7 +43,7 @@ control_loop_input_t flight_loop_input(const flight_loop_t* flight, const measur
         .direction_deg = has_fix ? sensors->gps.heading_deg : sensors->ahrs.yaw_deg,
         .pitch_deg = sensors->ahrs.pitch_deg,
         .roll_deg = sensors->ahrs.roll_deg,
-        .altitude_ft = altitude_m * ft_per_m,
+        .altitude_ft = altitude_m / M_PER_FT,
         .vvi_ft_min = first_measured(sensors->analog.vvi_ft_min, 0.0F),
         .speed_kt = speed_kt,
         .position =

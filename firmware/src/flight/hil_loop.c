@@ -4,15 +4,14 @@
 #include <string.h>
 
 #include "common/limit.h"
+#include "common/units.h"
 #include "navigation/geodesy.h"
 
 // Line and station make the arrivals irregular; the laws are not made for steps outside of these.
 static const float step_minimum_s = 0.005F;
 static const float step_maximum_s = 0.2F;
-static const uint32_t pause_ms = 500; ///< a longer gap counts as a pause of the simulator
-static const float jump_m = 500.0F;   ///< no aircraft flies so far in one frame
-static const float m_per_ft = 0.3048F;
-static const float m_s_per_kt = 0.514444F;
+static const uint32_t pause_ms = 500;    ///< a longer gap counts as a pause of the simulator
+static const float jump_m = 500.0F;      ///< no aircraft flies so far in one frame
 static const float fastest_ratio = 2.0F; ///< of ground speed or climb to the indicated airspeed, in wind and up high
 
 void hil_loop_init(hil_loop_t* hil, float period_s)
@@ -98,8 +97,8 @@ static bool jumps(const command_xplane_info_t* before, const command_xplane_info
 {
     const position_t from = {(double)before->latitude_deg, (double)before->longitude_deg};
     const position_t to = {(double)info->latitude_deg, (double)info->longitude_deg};
-    const float way_m = hypotf(geodesy_distance_m(&from, &to), (info->altitude_ft - before->altitude_ft) * m_per_ft);
-    const float speed_m_s = fmaxf(before->speed_kt, 0.0F) * m_s_per_kt;
+    const float way_m = hypotf(geodesy_distance_m(&from, &to), (info->altitude_ft - before->altitude_ft) * M_PER_FT);
+    const float speed_m_s = fmaxf(before->speed_kt, 0.0F) * M_S_PER_KT;
     return way_m > jump_m + fastest_ratio * speed_m_s * (float)elapsed_ms / 1000.0F;
 }
 

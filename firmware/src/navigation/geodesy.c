@@ -4,8 +4,6 @@
 
 #include "common/angle.h"
 
-static const float earth_radius_m = 6371008.8F;
-
 bool position_is_valid(const position_t* position)
 {
     return isfinite(position->latitude_deg) && isfinite(position->longitude_deg) &&
@@ -34,7 +32,7 @@ float geodesy_distance_m(const position_t* from, const position_t* to)
     const float sin_half_longitude = sinf(difference_rad(from->longitude_deg, to->longitude_deg) / 2.0F);
     const float cos_cos = cosf(angle_to_rad((float)from->latitude_deg)) * cosf(angle_to_rad((float)to->latitude_deg));
     const float haversine = sin_half_latitude * sin_half_latitude + cos_cos * sin_half_longitude * sin_half_longitude;
-    return 2.0F * earth_radius_m * asinf(sqrtf(fminf(haversine, 1.0F)));
+    return 2.0F * GEODESY_RADIUS_M * asinf(sqrtf(fminf(haversine, 1.0F)));
 }
 
 float geodesy_bearing_deg(const position_t* from, const position_t* to)

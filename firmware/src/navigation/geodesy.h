@@ -1,8 +1,11 @@
-/// Great circles on a sphere of 6371008.8 m (mean radius of the earth). Latitude north +, longitude east +, in deg.
+/// Great circles on a sphere with the mean radius of the earth. Latitude north +, longitude east +, in deg.
 #ifndef NAVIGATION_GEODESY_H
 #define NAVIGATION_GEODESY_H
 
 #include <stdbool.h>
+
+#define GEODESY_RADIUS_M 6371008.8F
+#define GEODESY_M_PER_DEG 111195.08 ///< of latitude
 
 typedef struct
 {

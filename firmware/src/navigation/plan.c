@@ -4,12 +4,11 @@
 #include <string.h>
 
 #include "common/angle.h"
+#include "common/units.h"
 
 static const float capture_minimum_m = 200.0F;
 static const float capture_minimum_to_kt = 55.0F;
 static const float capture_turns = 1.5F; ///< a waypoint counts as reached at this many radii of the steepest turn
-static const float gravity_m_s2 = 9.80665F;
-static const float m_s_per_kt = 0.514444F;
 static const float tan_30_deg = 0.57735F;
 
 // How strongly the course turns towards the circle while holding. With 2, the aircraft settles a fifth outside of the
@@ -106,8 +105,8 @@ float plan_capture_radius_m(float speed_kt)
     {
         return capture_minimum_m;
     }
-    const float speed_m_s = speed_kt * m_s_per_kt;
-    return fmaxf(capture_minimum_m, capture_turns * speed_m_s * speed_m_s / (gravity_m_s2 * tan_30_deg));
+    const float speed_m_s = speed_kt * M_S_PER_KT;
+    return fmaxf(capture_minimum_m, capture_turns * speed_m_s * speed_m_s / (GRAVITY_M_S2 * tan_30_deg));
 }
 
 /// Track that leads onto a clockwise circle around the waypoint: straight to it from far away, along the tangent on

@@ -3,6 +3,7 @@
 #include <stdbool.h>
 
 #include "common/angle.h"
+#include "common/units.h"
 #include "estimation/attitude.h"
 #include "estimation/gravity.h"
 

@@ -1,22 +1,23 @@
 #include "support/cmocka_all.h"
 
 #include "common/limit.h"
+#include "common/units.h"
 #include "flight/board_sensors.h"
+#include "navigation/geodesy.h"
 #include "sim_board.h"
 
 static const float sensor_period_s = 0.01F;
-static const float m_s_per_kt = 0.514444F;
 static const float cruise_kt = 60.0F;
 static const int frame_ms = 20; ///< simulated time between two commands 50
 
 /// An aircraft that flies straight to the north at 60 kt in calm air near sea level.
 static command_xplane_info_t northbound(int flown_ms)
 {
-    const double way_m = (double)(cruise_kt * m_s_per_kt) * (double)flown_ms / 1000.0;
+    const double way_m = (double)(cruise_kt * M_S_PER_KT) * (double)flown_ms / 1000.0;
     return (command_xplane_info_t){
         .altitude_ft = 100.0F,
         .speed_kt = cruise_kt,
-        .latitude_deg = (float)(27.9319 + way_m / 111195.0),
+        .latitude_deg = (float)(27.9319 + way_m / GEODESY_M_PER_DEG),
         .longitude_deg = -15.3866F,
     };
 }

@@ -1,6 +1,7 @@
 #include "support/cmocka_all.h"
 
 #include "common/angle.h"
+#include "navigation/geodesy.h"
 #include "sim_gps.h"
 
 static const float dt_s = 0.02F;
@@ -16,8 +17,8 @@ static message_gps_t fly(sim_gps_t* model, sim_truth_t* truth, float seconds, fl
     truth->track_deg = angle_wrap_360(angle_to_deg(atan2f(east_m_s, north_m_s)));
     for (int i = 0; i < steps; i++)
     {
-        truth->latitude_deg += (double)(north_m_s * dt_s) / 111195.0;
-        truth->longitude_deg += (double)(east_m_s * dt_s) / (111195.0 * 0.8835);
+        truth->latitude_deg += (double)(north_m_s * dt_s) / GEODESY_M_PER_DEG;
+        truth->longitude_deg += (double)(east_m_s * dt_s) / (GEODESY_M_PER_DEG * 0.8835);
         seen = sim_gps_read(model, truth, dt_s);
     }
     return seen;
@@ -31,7 +32,7 @@ static void a_standing_receiver_stays_within_metres(void** state)
     for (int i = 0; i < 5000; i++)
     {
         const message_gps_t seen = sim_gps_read(&model, &gando, dt_s);
-        assert_close(seen.latitude_deg, 27.9319, 6.0 / 111195.0);
+        assert_close(seen.latitude_deg, 27.9319, 6.0 / GEODESY_M_PER_DEG);
         assert_close(seen.longitude_deg, -15.3866, 7.0 / 98000.0);
         assert_close(seen.altitude_m, 23.8, 12.0);
         assert_true(seen.speed_kt >= 0.0F && seen.speed_kt < 1.0F);
@@ -81,7 +82,7 @@ static void speed_and_track_do_not_depend_on_the_time_between_readings(void** st
         for (int reading = 0; reading < 1000; reading++)
         {
             // as far in each step as the aircraft flies in 0.1 s
-            truth.latitude_deg += 3.0 / 111195.0;
+            truth.latitude_deg += 3.0 / GEODESY_M_PER_DEG;
             assert_close(sim_gps_read(&model, &truth, steps_s[i]).speed_kt, 58.3, 1.0);
         }
     }
@@ -94,7 +95,7 @@ static void it_tells_where_the_aircraft_was_a_solution_ago(void** state)
     sim_gps_init(&model, 1);
     sim_truth_t truth = gando;
     const message_gps_t seen = fly(&model, &truth, 20.0F, 100.0F, 0.0F);
-    const double behind_m = (truth.latitude_deg - (double)seen.latitude_deg) * 111195.0;
+    const double behind_m = (truth.latitude_deg - (double)seen.latitude_deg) * GEODESY_M_PER_DEG;
     assert_true(behind_m > 14.0 && behind_m < 46.0); // 0.2 to 0.4 s at 100 m/s, and the error
 }
 

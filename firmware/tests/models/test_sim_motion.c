@@ -1,5 +1,6 @@
 #include "support/cmocka_all.h"
 
+#include "navigation/geodesy.h"
 #include "sim_motion.h"
 
 static const sim_truth_t gando = {
@@ -10,8 +11,8 @@ static void tell(sim_motion_t* motion, sim_truth_t* truth, int commands, float n
 {
     for (int i = 0; i < commands; i++)
     {
-        truth->latitude_deg += (double)north_m / 111195.0;
-        truth->longitude_deg += (double)east_m / (111195.0 * 0.88351);
+        truth->latitude_deg += (double)north_m / GEODESY_M_PER_DEG;
+        truth->longitude_deg += (double)east_m / (GEODESY_M_PER_DEG * 0.88351);
         sim_motion_follow(motion, truth);
     }
 }

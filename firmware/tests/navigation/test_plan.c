@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "navigation/geodesy.h"
 #include "navigation/plan.h"
 #include "navigation/routes_gen.h"
 
@@ -53,10 +54,10 @@ static void the_next_waypoint_comes_inside_of_the_capture_radius(void** state)
     (void)state;
     plan_t plan = plan_of_three(false);
     plan_guidance_t guidance;
-    const position_t outside = {28.0 - 201.0 / 111195.0, -15.0};
+    const position_t outside = {28.0 - 201.0 / GEODESY_M_PER_DEG, -15.0};
     assert_true(plan_update(&plan, &outside, 50.0F, &guidance));
     assert_int_equal(guidance.waypoint, 0);
-    const position_t inside = {28.0 - 199.0 / 111195.0, -15.0};
+    const position_t inside = {28.0 - 199.0 / GEODESY_M_PER_DEG, -15.0};
     assert_true(plan_update(&plan, &inside, 50.0F, &guidance));
     assert_int_equal(guidance.waypoint, 1);
     assert_close(guidance.altitude_ft, 1000.0, 0.0);
@@ -92,7 +93,7 @@ static void after_the_last_waypoint_it_is_circled_to_the_right(void** state)
     assert_true(plan_go_to(&plan, 2));
     plan_guidance_t guidance;
     const float radius_m = plan_capture_radius_m(50.0F);
-    const position_t on_circle = {28.2 - ((double)radius_m - 1.0) / 111195.0, -15.0};
+    const position_t on_circle = {28.2 - ((double)radius_m - 1.0) / GEODESY_M_PER_DEG, -15.0};
     assert_true(plan_update(&plan, &on_circle, 50.0F, &guidance));
     assert_true(plan.holding);
     assert_int_equal(guidance.waypoint, 2);
@@ -102,7 +103,7 @@ static void after_the_last_waypoint_it_is_circled_to_the_right(void** state)
     const position_t far = {28.1, -15.0};
     assert_true(plan_update(&plan, &far, 50.0F, &guidance));
     assert_close(guidance.course_deg, 360.0, 1.0); // straight back to it
-    const position_t near = {28.2 - 20.0 / 111195.0, -15.0};
+    const position_t near = {28.2 - 20.0 / GEODESY_M_PER_DEG, -15.0};
     assert_true(plan_update(&plan, &near, 50.0F, &guidance));
     assert_in_range((int)guidance.course_deg, 195, 240); // outwards
 }

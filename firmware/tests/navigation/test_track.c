@@ -1,9 +1,9 @@
 #include "support/cmocka_all.h"
 
 #include "common/angle.h"
+#include "navigation/geodesy.h"
 #include "navigation/track.h"
 
-static const double metres_per_degree = 111195.08;
 static const double step_m = 0.6; ///< 50 Hz at 58 kt
 
 /// Fly `steps` along `track_deg` from `at`, with `direction_deg` as what the source says; positions as the wire has
@@ -14,8 +14,8 @@ static float fly(track_t* track, position_t* at, float track_deg, float directio
     for (int i = 0; i < steps; i++)
     {
         const double angle_rad = (double)angle_to_rad(track_deg);
-        at->latitude_deg += step_m * cos(angle_rad) / metres_per_degree;
-        at->longitude_deg += step_m * sin(angle_rad) / metres_per_degree / cos(at->latitude_deg / 57.29578);
+        at->latitude_deg += step_m * cos(angle_rad) / GEODESY_M_PER_DEG;
+        at->longitude_deg += step_m * sin(angle_rad) / GEODESY_M_PER_DEG / cos(at->latitude_deg / 57.29578);
         const position_t wire = {(double)(float)at->latitude_deg, (double)(float)at->longitude_deg};
         found_deg = track_update(track, &wire, direction_deg, 58.0F);
     }
