@@ -114,6 +114,28 @@ async def test_an_alarm_that_comes_again_stands_for_the_one_that_recovered() -> 
     assert [(alarm.since_s, alarm.until_s) for alarm in world.alarms.past] == [(1.0, 2.0)]
 
 
+async def test_how_often_an_alarm_came_is_counted_until_somebody_acknowledges_it() -> None:
+    world = World()
+
+    def comes_and_goes(*at_s: float) -> int:
+        for t_s in at_s:
+            world.goes_wrong("battery_low")
+            world.alarms.look(t_s)
+            world.goes_wrong()
+            world.alarms.look(t_s + 0.5)
+        (alarm,) = world.alarms.active
+        return alarm.state.count
+
+    assert comes_and_goes(1.0, 2.0, 3.0) == 3
+    world.alarms.acknowledge("battery_low")
+    assert comes_and_goes(4.0) == 1
+    again = World()
+    again.alarms.restore([alarm.state for alarm in world.alarms.active])
+    again.goes_wrong("battery_low")
+    again.alarms.look(5.0)
+    assert again.alarms.active[0].count == 2
+
+
 async def test_what_an_earlier_start_left_is_the_beginning_of_the_history() -> None:
     world = World()
     before = Alarm(Finding("cpu_high", "warning", "91 %."), 1.0, until_s=2.0)

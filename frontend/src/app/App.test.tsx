@@ -110,7 +110,13 @@ describe("the gateway's silence", () => {
 });
 
 describe("the gateway's alarms", () => {
-  const since = { since_s: 1, until_s: null, acknowledged: false, params: { target: "/dev/ttyUSB0" } };
+  const since = {
+    since_s: 1,
+    until_s: null,
+    acknowledged: false,
+    count: 1,
+    params: { target: "/dev/ttyUSB0" },
+  };
 
   test("are said in the page's language, with what they are about", () => {
     const station = flying();

@@ -60,6 +60,7 @@ describe("the window's title", () => {
       text: "",
       params: {},
       acknowledged: false,
+      count: 1,
     } as const;
     station.status(aStatus({ alarms: [alarm] }));
     expect(document.title).toBe("(1) conectado · EPF GCS");

@@ -92,9 +92,11 @@ export type AircraftAround = Checked<typeof isAircraftAround>;
 
 /** Something that is wrong now; an acknowledged one is shown quietly until its cause goes.
  *
- * `until_s` is null while it lasts. One that has an end has recovered, and is listed until it is acknowledged. */
+ * `until_s` is null while it lasts. One that has an end has recovered, and is listed until it is acknowledged.
+ * `count`: how often it came since somebody last acknowledged it. */
 export const isAlarmState = shape({
   acknowledged: isFlag,
+  count: isNumber,
   id: isText,
   level: oneOf("warning", "critical"),
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
@@ -127,6 +129,7 @@ export type AlarmBook = Checked<typeof isAlarmBook>;
 export const isAlarmEvent = shape({
   acknowledged: isFlag,
   active: isFlag,
+  count: isNumber,
   id: isText,
   level: oneOf("warning", "critical"),
   params: dictionary(nullable(either(isText, isNumber, isFlag))),

@@ -85,7 +85,7 @@ class AlarmEvent(AlarmState, Event):
     """An alarm came, went or was acknowledged. `active`: its cause is still there."""
 
     NAME = "alarm"
-    active: bool
+    active: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -188,6 +188,7 @@ class AlarmState(Shape):
     """Something that is wrong now; an acknowledged one is shown quietly until its cause goes.
 
     `until_s` is null while it lasts. One that has an end has recovered, and is listed until it is acknowledged.
+    `count`: how often it came since somebody last acknowledged it.
     """
 
     id: AlarmId
@@ -197,6 +198,7 @@ class AlarmState(Shape):
     text: str
     params: Mapping[str, ParamValue]
     acknowledged: bool
+    count: int = 1
 
 
 @dataclass(frozen=True, slots=True)

@@ -125,4 +125,5 @@ def _alarm_state(noted: Mapping[str, Any]) -> AlarmState:
         text=str(noted.get("text")),
         params=noted.get("params") or {},
         acknowledged=noted.get("acknowledged") is True,
+        count=int(noted.get("count") or 1),
     )

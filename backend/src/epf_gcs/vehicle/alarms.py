@@ -32,13 +32,22 @@ class Alarm:
     since_s: float
     acknowledged: bool = False
     until_s: float | None = None
+    count: int = 1
+    """How often it came since somebody last acknowledged it."""
 
     @property
     def state(self) -> AlarmState:
         """As the contract has it."""
         finding = self.finding
         return AlarmState(
-            finding.id, finding.level, self.since_s, self.until_s, finding.text, finding.params, self.acknowledged
+            finding.id,
+            finding.level,
+            self.since_s,
+            self.until_s,
+            finding.text,
+            finding.params,
+            self.acknowledged,
+            self.count,
         )
 
     @property
@@ -59,7 +68,7 @@ class Alarm:
     def from_state(state: AlarmState) -> Alarm:
         """The alarm that `state` gave."""
         finding = Finding(state.id, state.level, state.text, dict(state.params))
-        return Alarm(finding, state.since_s, state.acknowledged, state.until_s)
+        return Alarm(finding, state.since_s, state.acknowledged, state.until_s, state.count)
 
 
 class Alarms:
@@ -107,7 +116,8 @@ class Alarms:
         """Update the alarms at Unix time `t_s`. True if an alarm came, went or became worse."""
         before = self._active
         self._active = {
-            finding.id: _follow(before.get(finding.id), finding, t_s) for finding in self._watch(self.thresholds)
+            finding.id: _follow(before.get(finding.id), finding, t_s, self._recovered.get(finding.id))
+            for finding in self._watch(self.thresholds)
         }
         gone = [replace(alarm, until_s=t_s) for alarm in before.values() if alarm.finding.id not in self._active]
         news = [alarm for alarm in self._active.values() if _is_news(before.get(alarm.finding.id), alarm)]
@@ -188,10 +198,11 @@ class Alarms:
             self.on_news(news, alarm)
 
 
-def _follow(before: Alarm | None, finding: Finding, t_s: float) -> Alarm:
-    """The alarm of a finding. If it became worse it must be acknowledged again."""
+def _follow(before: Alarm | None, finding: Finding, t_s: float, recovered: Alarm | None) -> Alarm:
+    """The alarm of a finding. If it became worse it must be acknowledged again; if it came back before anybody
+    acknowledged that it was there, it is counted with those before."""
     if before is None:
-        return Alarm(finding, t_s)
+        return Alarm(finding, t_s, count=1 if recovered is None else recovered.count + 1)
     return replace(before, finding=finding, acknowledged=before.acknowledged and not _is_worse(before, finding))
 
 

@@ -9,7 +9,7 @@ import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { ALARM_LOG } from "./alarmLog";
 import { LevelMark } from "./LevelMark";
-import { GATEWAY_LOST } from "./raisedAlarms";
+import { GATEWAY_LOST, withCount } from "./raisedAlarms";
 import {
   type AlarmView,
   blockedAmong,
@@ -79,7 +79,7 @@ function Active({ alarm }: { alarm: AlarmView }) {
         <p className="alarms-item-title">{alarm.text}</p>
         <p className="alarms-item-advice">{advice}</p>
         <p className="alarms-item-since">
-          <span>{t("alarmLog.since", { clock: formatClock(alarm.since_s) })}</span>
+          <span>{t("alarmLog.since", { clock: withCount(formatClock(alarm.since_s), alarm.count) })}</span>
           <Lasting alarm={alarm} />
         </p>
       </div>
@@ -101,7 +101,7 @@ function Active({ alarm }: { alarm: AlarmView }) {
 }
 
 /** Ended without being acknowledged: shown until somebody acknowledges it. */
-function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: EndedAlarmView }) {
+function EndedUnseen({ alarm: { id, level, name, until_s, count, blocked } }: { alarm: EndedAlarmView }) {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
   const control = `acknowledge.${id}`;
@@ -111,7 +111,9 @@ function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: 
       <LevelMark level={level} />
       <div className="alarms-item-text">
         <p className="alarms-item-title">{name}</p>
-        <p className="alarms-item-since">{t("alarmLog.endedAt", { clock: formatClock(until_s) })}</p>
+        <p className="alarms-item-since">
+          {t("alarmLog.endedAt", { clock: withCount(formatClock(until_s), count) })}
+        </p>
       </div>
       <Button
         onPress={() => void alarmLog.acknowledge(id, { control })}

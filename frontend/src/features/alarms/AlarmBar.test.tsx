@@ -21,6 +21,7 @@ const LOST = {
   text: "Lost.",
   params: { target: "pty" },
   acknowledged: false,
+  count: 1,
 } as const;
 const LOW = { ...LOST, id: "battery_low", level: "warning", params: { battery_v: 9.8 } } as const;
 const ENDED = { ...LOST, until_s: 1_699_999_995 } as const;

@@ -7,6 +7,7 @@ import { AlarmStrip, endedWithoutPlace, LINES } from "../../ui/AlarmStrip";
 import { Button } from "../../ui/Button";
 import { ALARM_LOG } from "./alarmLog";
 import { MuteButton } from "./MuteButton";
+import { withCount } from "./raisedAlarms";
 import { blockedAmong, useActiveAlarms, useEndedAlarms } from "./useAlarms";
 
 /** What is wrong now, on every tab, with what can be done about it. */
@@ -23,21 +24,21 @@ export function AlarmBar() {
   return (
     <AlarmStrip
       label={t("alarms.label")}
-      alarms={alarms.map(({ id, level, text, acknowledged, since_s, blocked }) => ({
+      alarms={alarms.map(({ id, level, text, acknowledged, since_s, count, blocked }) => ({
         id,
         level,
         text,
         acknowledged,
-        detail: formatClock(since_s),
+        detail: withCount(formatClock(since_s), count),
         blocked,
       }))}
       ended={{
         label: t("alarmLog.ended"),
-        items: ended.map(({ id, level, name, until_s, blocked }) => ({
+        items: ended.map(({ id, level, name, until_s, count, blocked }) => ({
           id,
           level,
           text: name,
-          detail: formatClock(until_s),
+          detail: withCount(formatClock(until_s), count),
           blocked,
         })),
         acknowledge: {

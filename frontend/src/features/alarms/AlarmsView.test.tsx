@@ -15,6 +15,7 @@ const LOST = {
   text: "Lost.",
   params: { target: "pty" },
   acknowledged: false,
+  count: 1,
 } as const;
 const LOW = { ...LOST, id: "battery_low", level: "warning", params: { battery_v: 9.8 } } as const;
 const PAST = { ...LOW, since_s: 1_699_999_000, until_s: 1_699_999_065, acknowledged: true };
@@ -154,6 +155,26 @@ describe("a threshold", () => {
     await user.click(within(panel("Umbrales")).getByRole("button", { name: /^Valor de fábrica: Batería/ }));
     expect(asked("PUT", "/api/v1/alarms/thresholds")[0]?.body).toEqual({ battery_low_v: 10.5 });
   });
+});
+
+test("an alarm that came again and again is one line with its count, and a press shows each", async () => {
+  raise({ ...LOW, count: 3 }, { ...LOST, until_s: 1_699_999_999, count: 2 });
+  expect(panel("Activas").textContent).toMatch(/× 3/);
+  expect(panel("Activas").textContent).toMatch(/× 2/);
+  const again = (minute: number) => ({
+    ...PAST,
+    since_s: 1_699_990_000 + 60 * minute,
+    until_s: 1_699_990_010 + 60 * minute,
+  });
+  station.deliver({ type: "event", event: "alarm", t_s: 1, data: { ...LOW, active: false } });
+  await asked("GET", "/api/v1/alarms")
+    .at(-1)
+    ?.answer({ active: [], past: [again(2), again(1), again(0)].map(({ count: _, ...past }) => past) });
+  const lines = () => within(panel("Pasadas")).getAllByRole("row").slice(1);
+  expect(lines()).toHaveLength(1);
+  expect(lines()[0]?.textContent).toContain("30 s");
+  await user.click(within(panel("Pasadas")).getByRole("button", { name: "3 veces: ver cada una" }));
+  expect(lines()).toHaveLength(4);
 });
 
 test("the cells of the battery are guessed aloud, and one press says how many there are", async () => {

@@ -1,9 +1,10 @@
-import { useEffect } from "react";
+import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatAge } from "../../lib/format";
 import { formatClock, formatMoment } from "../../lib/moment";
 import { useConnection, usePart } from "../../store/hooks";
+import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { ALARM_LOG, type PastAlarm, pastAlarms } from "./alarmLog";
@@ -47,14 +48,69 @@ export function PastAlarms() {
               </tr>
             </thead>
             <tbody>
-              {alarms.map((alarm) => (
-                <Row key={`${alarm.id}@${alarm.since_s}@${alarm.until_s}`} alarm={alarm} />
+              {repeated(alarms).map((group) => (
+                <Group key={group[0].id} alarms={group} />
               ))}
             </tbody>
           </table>
         </div>
       )}
     </Panel>
+  );
+}
+
+type Repeated = readonly [PastAlarm, ...PastAlarm[]];
+
+/** Those of one kind together, in the order in which the newest of each ended. */
+function repeated(alarms: readonly PastAlarm[]): readonly Repeated[] {
+  const groups = new Map<string, [PastAlarm, ...PastAlarm[]]>();
+  for (const alarm of alarms) {
+    const group = groups.get(alarm.id);
+    if (group === undefined) groups.set(alarm.id, [alarm]);
+    else group.push(alarm);
+  }
+  return [...groups.values()];
+}
+
+/** One line for an alarm that came again and again; a press shows each time. */
+function Group({ alarms }: { alarms: Repeated }) {
+  const { t } = useTranslation();
+  const sentence = useSentence();
+  const now_s = usePart(ALARM_LOG).wall_s();
+  const [isOpen, setOpen] = useState(false);
+  const [newest, ...others] = alarms;
+  const oldest = others.at(-1);
+  if (oldest === undefined) {
+    return <Row alarm={newest} />;
+  }
+  const lasted_s = alarms.reduce((sum, { since_s, until_s }) => sum + until_s - since_s, 0);
+  const unknown = alarms.filter(({ acknowledged }) => !acknowledged).length;
+  return (
+    <>
+      <tr>
+        <td>
+          <LevelMark
+            level={alarms.some(({ level }) => level === "critical") ? "critical" : "warning"}
+            isBrief
+          />
+        </td>
+        <td className="alarms-table-text">
+          {sentence(alarmMessage(newest, null))}{" "}
+          <Button
+            onPress={() => setOpen(!isOpen)}
+            pressed={isOpen}
+            label={t("alarmLog.times", { count: alarms.length })}
+          >
+            {`× ${alarms.length}`}
+          </Button>
+        </td>
+        <td className="alarms-number">{formatMoment(oldest.since_s, now_s)}</td>
+        <td className="alarms-number">{formatClock(newest.until_s)}</td>
+        <td className="alarms-number">{formatAge(lasted_s)}</td>
+        <td>{unknown === 0 ? t("alarmLog.yes") : t("alarmLog.no")}</td>
+      </tr>
+      {isOpen && alarms.map((alarm) => <Row key={`${alarm.since_s}@${alarm.until_s}`} alarm={alarm} />)}
+    </>
   );
 }
 

@@ -126,7 +126,7 @@ export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAl
       ? {}
       : {
           own: null,
-          ownEnded: own.acknowledged ? null : { ...alarm, level: "critical" as const, until_s },
+          ownEnded: own.acknowledged ? null : { ...alarm, level: "critical" as const, until_s, count: 1 },
           ownPast: [
             { ...alarm, ...own, level: "critical" as const, params: {}, until_s },
             ...ownPast.slice(0, OWN_PAST_MOST - 1),

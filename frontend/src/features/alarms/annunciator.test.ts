@@ -15,6 +15,7 @@ function alarm(id: string, level: AlarmLevel, parts: Partial<ActiveAlarm> = {}):
     level,
     since_s: 1,
     acknowledged: false,
+    count: 1,
     message: { level: "warning", key: id, params: {} },
     ...parts,
   };

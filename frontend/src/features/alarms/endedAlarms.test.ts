@@ -3,10 +3,19 @@ import type { Alarm } from "../../protocol/status";
 import { aStatus } from "../../test/aStatus";
 import { type EndedAlarm, endedAlarms } from "./endedAlarms";
 
-const OWN: EndedAlarm = { id: "own", level: "critical", text: "not heard", until_s: 20 };
+const OWN: EndedAlarm = { id: "own", level: "critical", text: "not heard", until_s: 20, count: 1 };
 
 function listed(id: string, until_s: number | null): Alarm {
-  return { id, level: "warning", since_s: 10, until_s, text: "said", params: {}, acknowledged: false };
+  return {
+    id,
+    level: "warning",
+    since_s: 10,
+    until_s,
+    text: "said",
+    params: {},
+    acknowledged: false,
+    count: 1,
+  };
 }
 
 const status = aStatus({ alarms: [listed("first", 15), listed("lasting", null), listed("last", 30)] });

@@ -7,6 +7,8 @@ export interface EndedAlarm {
   readonly level: AlarmLevel;
   readonly text: string;
   readonly until_s: number;
+  /** How often it came since it was last acknowledged. */
+  readonly count: number;
 }
 
 /**
@@ -18,8 +20,8 @@ export function endedAlarms(
   own: EndedAlarm | null,
 ): readonly EndedAlarm[] {
   const told = phase === "open" ? (status?.alarms ?? []) : [];
-  const ended = told.flatMap(({ id, level, text, until_s }): readonly EndedAlarm[] =>
-    until_s === null ? [] : [{ id, level, text, until_s }],
+  const ended = told.flatMap(({ id, level, text, until_s, count }): readonly EndedAlarm[] =>
+    until_s === null ? [] : [{ id, level, text, until_s, count }],
   );
   return [...ended, ...(own === null ? [] : [own])].sort((first, second) => second.until_s - first.until_s);
 }

@@ -16,6 +16,7 @@ function raised(id: string, parts: Partial<AlarmRecord> = {}): AlarmRecord {
     text: "said by the gateway",
     params: {},
     acknowledged: false,
+    count: 1,
     ...parts,
   };
 }

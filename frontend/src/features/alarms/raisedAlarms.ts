@@ -38,6 +38,8 @@ export interface ActiveAlarm {
   readonly level: AlarmLevel;
   readonly since_s: number;
   readonly acknowledged: boolean;
+  /** How often it came since it was last acknowledged. */
+  readonly count: number;
   readonly message: Message;
 }
 
@@ -105,7 +107,7 @@ export function activeAlarms(
   if (own !== null) {
     const key = phase === "silent" ? "alarm.gateway_silent" : "alarm.gateway_lost";
     const message: Message = { level: "error", key, params: {} };
-    return [{ id: GATEWAY_LOST, level: "critical", ...own, message }, ...restarted];
+    return [{ id: GATEWAY_LOST, level: "critical", ...own, count: 1, message }, ...restarted];
   }
   if (phase !== "open" || status === null) {
     return restarted;
@@ -116,6 +118,7 @@ export function activeAlarms(
       level: alarm.level,
       since_s: alarm.since_s,
       acknowledged: alarm.acknowledged,
+      count: alarm.count,
       message: alarmMessage(alarm, status.simulator),
     }),
   );
@@ -131,7 +134,7 @@ function isLasting({ until_s }: Alarm): boolean {
 
 function restartAlarm({ since_s, params }: BoardRestart): ActiveAlarm {
   const message = alarmMessage({ id: BOARD_RESTARTED, text: "", params }, null);
-  return { id: BOARD_RESTARTED, level: "critical", since_s, acknowledged: false, message };
+  return { id: BOARD_RESTARTED, level: "critical", since_s, acknowledged: false, count: 1, message };
 }
 
 /** 0 is the most urgent: unacknowledged before acknowledged, then critical before warning. */
@@ -205,4 +208,9 @@ export function isRecovered(
     !status.alarms.some((alarm) => alarm.id === id && isLasting(alarm)) &&
     PROOFS[id]?.({ status, damagedLastSecond, telemetry, now_ms }) === true
   );
+}
+
+/** A moment of an alarm that came more than once, with how often it came. */
+export function withCount(moment: string, count: number): string {
+  return count > 1 ? `${moment} × ${count}` : moment;
 }

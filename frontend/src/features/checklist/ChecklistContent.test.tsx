@@ -53,6 +53,7 @@ test("what the station does not see any more is not ticked: an alarm, and a gate
     text: "Low.",
     params: { battery_v: 9.8 },
     acknowledged: false,
+    count: 1,
   } as const;
   station.status(aStatus({ alarms: [alarm] }));
   await expect.poll(() => box("Sin alarmas").checked).toBe(false);

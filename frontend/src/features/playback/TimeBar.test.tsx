@@ -192,6 +192,7 @@ describe("the past", () => {
       level: "critical",
       since_s: 1,
       acknowledged: false,
+      count: 1,
       text: "Low",
       params: {},
       until_s: null,
