@@ -11,68 +11,32 @@ static void send(const report_line_t* line, uint32_t type_id, const uint8_t* pay
     line->send(line->context, frame, length);
 }
 
-void report_heartbeat(const report_line_t* line, const message_heartbeat_t* values)
-{
-    uint8_t payload[MESSAGE_HEARTBEAT_SIZE];
-    message_heartbeat_pack(values, payload);
-    send(line, MESSAGE_HEARTBEAT_ID, payload, sizeof payload);
-}
+/// Defines `function`, which packs one message and sends it as a frame.
+#define REPORT(function, message, MESSAGE)                                                                             \
+    void function(const report_line_t* line, const message##_t* values)                                                \
+    {                                                                                                                  \
+        uint8_t payload[MESSAGE##_SIZE];                                                                               \
+        message##_pack(values, payload);                                                                               \
+        send(line, MESSAGE##_ID, payload, sizeof payload);                                                             \
+    }
 
-void report_ahrs(const report_line_t* line, const message_ahrs_t* values)
-{
-    uint8_t payload[MESSAGE_AHRS_SIZE];
-    message_ahrs_pack(values, payload);
-    send(line, MESSAGE_AHRS_ID, payload, sizeof payload);
-}
+/// A report that only this file calls.
+#define REPORT_HERE(function, message, MESSAGE) static REPORT(function, message, MESSAGE)
 
-void report_inertial(const report_line_t* line, const message_inertial_t* values)
-{
-    uint8_t payload[MESSAGE_INERTIAL_SIZE];
-    message_inertial_pack(values, payload);
-    send(line, MESSAGE_INERTIAL_ID, payload, sizeof payload);
-}
-
-void report_analog(const report_line_t* line, const message_analog_t* values)
-{
-    uint8_t payload[MESSAGE_ANALOG_SIZE];
-    message_analog_pack(values, payload);
-    send(line, MESSAGE_ANALOG_ID, payload, sizeof payload);
-}
-
-void report_statistics(const report_line_t* line, const message_statistics_t* values)
-{
-    uint8_t payload[MESSAGE_STATISTICS_SIZE];
-    message_statistics_pack(values, payload);
-    send(line, MESSAGE_STATISTICS_ID, payload, sizeof payload);
-}
-
-void report_gps(const report_line_t* line, const message_gps_t* values)
-{
-    uint8_t payload[MESSAGE_GPS_SIZE];
-    message_gps_pack(values, payload);
-    send(line, MESSAGE_GPS_ID, payload, sizeof payload);
-}
-
-void report_servos_in(const report_line_t* line, const message_servos_in_t* values)
-{
-    uint8_t payload[MESSAGE_SERVOS_IN_SIZE];
-    message_servos_in_pack(values, payload);
-    send(line, MESSAGE_SERVOS_IN_ID, payload, sizeof payload);
-}
-
-void report_capabilities(const report_line_t* line, const message_capabilities_t* values)
-{
-    uint8_t payload[MESSAGE_CAPABILITIES_SIZE];
-    message_capabilities_pack(values, payload);
-    send(line, MESSAGE_CAPABILITIES_ID, payload, sizeof payload);
-}
-
-void report_status(const report_line_t* line, const message_board_status_t* values)
-{
-    uint8_t payload[MESSAGE_BOARD_STATUS_SIZE];
-    message_board_status_pack(values, payload);
-    send(line, MESSAGE_BOARD_STATUS_ID, payload, sizeof payload);
-}
+REPORT(report_heartbeat, message_heartbeat, MESSAGE_HEARTBEAT)
+REPORT(report_ahrs, message_ahrs, MESSAGE_AHRS)
+REPORT(report_inertial, message_inertial, MESSAGE_INERTIAL)
+REPORT(report_analog, message_analog, MESSAGE_ANALOG)
+REPORT(report_statistics, message_statistics, MESSAGE_STATISTICS)
+REPORT(report_gps, message_gps, MESSAGE_GPS)
+REPORT(report_servos_in, message_servos_in, MESSAGE_SERVOS_IN)
+REPORT(report_capabilities, message_capabilities, MESSAGE_CAPABILITIES)
+REPORT(report_status, message_board_status, MESSAGE_BOARD_STATUS)
+REPORT_HERE(send_fly_by_wire, message_fly_by_wire, MESSAGE_FLY_BY_WIRE)
+REPORT_HERE(send_hil_surfaces, message_hil_surfaces, MESSAGE_HIL_SURFACES)
+REPORT_HERE(send_acknowledgement, message_acknowledgement, MESSAGE_ACKNOWLEDGEMENT)
+REPORT_HERE(send_mission_count, message_mission_count, MESSAGE_MISSION_COUNT)
+REPORT_HERE(send_mission_item, message_mission_item, MESSAGE_MISSION_ITEM)
 
 /// What a plan asks for. Zeros would read as a course to the north at sea level, so unknown values are sent as absent:
 /// all of them without a plan, the way to the waypoint without a position.
@@ -117,9 +81,7 @@ void report_fly_by_wire(const report_line_t* line, const surfaces_t* surfaces)
         .elevator = surfaces->elevator,
         .rudder = surfaces->rudder,
     };
-    uint8_t payload[MESSAGE_FLY_BY_WIRE_SIZE];
-    message_fly_by_wire_pack(&values, payload);
-    send(line, MESSAGE_FLY_BY_WIRE_ID, payload, sizeof payload);
+    send_fly_by_wire(line, &values);
 }
 
 void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces)
@@ -130,9 +92,7 @@ void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces)
         .rudder = surfaces->rudder,
         .throttle = surfaces->throttle,
     };
-    uint8_t payload[MESSAGE_HIL_SURFACES_SIZE];
-    message_hil_surfaces_pack(&values, payload);
-    send(line, MESSAGE_HIL_SURFACES_ID, payload, sizeof payload);
+    send_hil_surfaces(line, &values);
 }
 
 void report_parameters(const report_line_t* line, const parameters_t* parameters)
@@ -156,17 +116,13 @@ void report_parameters(const report_line_t* line, const parameters_t* parameters
 void report_acknowledgement(const report_line_t* line, uint32_t type_id, command_result_t result)
 {
     const message_acknowledgement_t values = {.command_type = (int32_t)type_id, .result = (int32_t)result};
-    uint8_t payload[MESSAGE_ACKNOWLEDGEMENT_SIZE];
-    message_acknowledgement_pack(&values, payload);
-    send(line, MESSAGE_ACKNOWLEDGEMENT_ID, payload, sizeof payload);
+    send_acknowledgement(line, &values);
 }
 
 void report_mission_count(const report_line_t* line, int32_t plan, size_t count)
 {
     const message_mission_count_t values = {.plan = plan, .count = (int32_t)count};
-    uint8_t payload[MESSAGE_MISSION_COUNT_SIZE];
-    message_mission_count_pack(&values, payload);
-    send(line, MESSAGE_MISSION_COUNT_ID, payload, sizeof payload);
+    send_mission_count(line, &values);
 }
 
 void report_mission_item(const report_line_t* line, int32_t plan, size_t index, const waypoint_t* waypoint)
@@ -179,7 +135,5 @@ void report_mission_item(const report_line_t* line, int32_t plan, size_t index, 
         .altitude_ft = waypoint->altitude_ft,
         .speed_kt = waypoint->speed_kt,
     };
-    uint8_t payload[MESSAGE_MISSION_ITEM_SIZE];
-    message_mission_item_pack(&values, payload);
-    send(line, MESSAGE_MISSION_ITEM_ID, payload, sizeof payload);
+    send_mission_item(line, &values);
 }
