@@ -128,7 +128,7 @@ check-workflows: $(DONE)/venv-publish ## what the forge reads (workflows, update
 	@$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-forms .github/ISSUE_TEMPLATE/[!c]*.yml
 	@$(BIN)/zizmor --offline --quiet .github
 
-images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
+images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, and LM3S6965 in QEMU)
 	@$(MAKE) --no-print-directory -C firmware images
 
 generate: $(DONE)/venv-dev $(DONE)/frontend ## write every generated file again: from protocol/definition, the interface, the magnetic model

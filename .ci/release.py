@@ -29,7 +29,7 @@ SUMS: Final = "SHA256SUMS"
 NOTES: Final = "NOTES.md"
 # Processors with a board's program in their wheel, and images of the firmware that are no debugging aid.
 MACHINES: Final = ("x86_64", "aarch64")
-IMAGES: Final = ("stm32f405", "mps2_an386")
+IMAGES: Final = ("stm32f405",)
 
 
 @dataclass(frozen=True, slots=True)

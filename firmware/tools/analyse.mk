@@ -8,7 +8,7 @@ CPPCHECK ?= cppcheck
 
 # sources for the PC, and those that only the processor's compiler can build
 hosted_sources := $(wildcard src/*/*.c ports/models/*.c ports/library/*.c ports/posix/*.c)
-cortex_sources := $(wildcard $(addprefix ports/,cortex_m/*.c $(patsubst %,%/*.c,$(machines) $(card_machine))))
+cortex_sources := $(wildcard $(addprefix ports/,cortex_m/*.c $(patsubst %,%/*.c,$(machines))))
 hosted_flags := -std=c11 $(board_includes) -Iports/library
 # headers of the processor's C library come after clang's own, which a freestanding program uses first
 cortex_flags := -std=c11 --target=arm-none-eabi -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding \

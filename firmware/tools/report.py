@@ -22,10 +22,7 @@ PERIOD_S = 0.02
 LEVEL_FLIGHT = (0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 28.0, 3.0, 0.0, 1000.0, 0.0, 55.0, 27.95, -15.38)
 STARTED_S = 20.0
 QEMU = "qemu-system-arm"
-MACHINES = {"stm32f405": "netduinoplus2", "mps2_an386": "mps2-an386"}
-"""Folder of the image -> QEMU's name of the machine."""
-BUFFERED = {"stm32f405"}
-"""Machines whose serial port works behind QEMU's multiplexer, which moves 32 bytes at once (firmware/README.md)."""
+MACHINE = "stm32f405"
 
 
 def free_port() -> int:
@@ -36,12 +33,12 @@ def free_port() -> int:
         return port
 
 
-def emulator(build: Path, folder: str, card: Path, port: int) -> list[str]:
+def emulator(build: Path, card: Path, port: int) -> list[str]:
     """Return the command that runs an image, its serial line on a TCP port and `card` as its card."""
     line = f"socket,id=line,host=127.0.0.1,port={port},server=on,wait=off,nodelay=on"
-    words = [QEMU, "-M", MACHINES[folder], "-kernel", str(build / folder / "epf-board-qemu.elf")]
+    words = [QEMU, "-M", "netduinoplus2", "-kernel", str(build / MACHINE / "epf-board-qemu.elf")]
     words += ["-display", "none", "-monitor", "none", "-serial", "chardev:line", "-chardev"]
-    words += [f"{line},mux=on", "-echr", "256"] if folder in BUFFERED else [line]
+    words += [f"{line},mux=on", "-echr", "256"]
     return [*words, "-semihosting-config", f"enable=on,target=native,arg=--card,arg={str(card).replace(',', ',,')}"]
 
 
@@ -109,10 +106,10 @@ def ask(line: Line, words: str) -> str:
     return answer.decode("ascii", "replace").replace("\r", "")
 
 
-def fly(folder: str, build: Path, card: Path, seconds: float) -> None:
+def fly(build: Path, card: Path, seconds: float) -> None:
     """Fly one image and print what it needed."""
     port = free_port()
-    with subprocess.Popen(emulator(build, folder, card, port)) as qemu:
+    with subprocess.Popen(emulator(build, card, port)) as qemu:
         try:
             line = Line(port)
             deadline_s = time.monotonic() + STARTED_S
@@ -132,7 +129,7 @@ def fly(folder: str, build: Path, card: Path, seconds: float) -> None:
     if not times:
         sys.exit("report: no frame was answered")
     cuts = statistics.quantiles(times, n=100)
-    print(f"\n{folder} under QEMU, {seconds:.0f} s at 50 Hz with every stream on")
+    print(f"\n{MACHINE} under QEMU, {seconds:.0f} s at 50 Hz with every stream on")
     print(f"HIL round trip: p50 {cuts[49]:.1f} ms, p99 {cuts[98]:.1f} ms; {len(times)} answered, {lost} not")
     print(tasks, end="")
 
@@ -140,14 +137,12 @@ def fly(folder: str, build: Path, card: Path, seconds: float) -> None:
 def main(build: Path, size: str, seconds: float) -> None:
     """Print the whole report."""
     for program, image in (
-        (size, "stm32f405/epf-board.elf"),
-        (size, "mps2_an386/epf-board.elf"),
+        (size, f"{MACHINE}/epf-board.elf"),
         ("size", "posix/epf-board"),
     ):
         subprocess.run([program, build / image], check=True)
     with tempfile.TemporaryDirectory() as card:
-        for folder in MACHINES:
-            fly(folder, build, Path(card), seconds)
+        fly(build, Path(card), seconds)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,10 @@ from tests.support.firmware import FIRMWARE
 from tests.support.waiting import DEADLINE_S
 
 ASK_AGAIN_S: Final = 1.0
+Machine = tuple[str, tuple[str, ...]]
+"""Folder of an image, and QEMU's words for the machine."""
+STM32F405: Final[Machine] = ("stm32f405", ("netduinoplus2",))
+LM3S6965: Final[Machine] = ("lm3s6965evb", ("lm3s6965evb", "-cpu", "cortex-m4"))
 
 
 class Emulator:
@@ -67,9 +71,8 @@ class Emulator:
 class Image(Emulator):
     """An image for QEMU, which lends it a folder as its card."""
 
-    def __init__(self, name: str, card: Path, *options: str) -> None:
-        emulated = EmulatedBoard.named(name)
-        assert emulated is not None
+    def __init__(self, machine: Machine, card: Path, *options: str) -> None:
+        emulated = EmulatedBoard(free_tcp_port(), *machine)
         command = emulated.command(FIRMWARE / "build", card)
         # The board's own options stand before the card.
         command[-1] = command[-1].replace(
@@ -81,14 +84,15 @@ class Image(Emulator):
 class Bare(Emulator):
     """An image for the processor itself, which QEMU lends nothing, and a card in its slot where it has one."""
 
-    def __init__(self, folder: str, machine: tuple[str, ...], card: Path | None) -> None:
+    def __init__(self, machine: Machine, card: Path | None) -> None:
+        folder, words = machine
         port = free_tcp_port()
         image = FIRMWARE / "build" / folder / "epf-board.elf"
         plugged = () if card is None else ("-drive", f"if=sd,format=raw,file={card}")
         super().__init__(
             port,
             [
-                *(QEMU, "-M", *machine, "-kernel", str(image), "-display", "none", "-monitor", "none"),
+                *(QEMU, "-M", *words, "-kernel", str(image), "-display", "none", "-monitor", "none"),
                 *("-serial", f"tcp:{LOOPBACK}:{port},server=on,wait=off,nodelay=on", *plugged),
             ],
         )

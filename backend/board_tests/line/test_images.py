@@ -11,7 +11,7 @@ from typing import Protocol
 
 import pytest
 
-from board_tests.line.emulated import Image
+from board_tests.line.emulated import LM3S6965, STM32F405, Image
 from board_tests.line.others import (
     a_foreign_station_gets_no_extension,
     commands_do_what_they_do_on_any_board,
@@ -30,7 +30,7 @@ class Images(Protocol):
     def __call__(self, *options: str) -> Station: ...
 
 
-@pytest.fixture(params=["qemu", "qemu-an386"], ids=["stm32f405", "mps2_an386"])
+@pytest.fixture(params=[STM32F405, LM3S6965], ids=["stm32f405", "lm3s6965evb"])
 def plugged(
     request: pytest.FixtureRequest, built_images: None, tmp_path: Path, stations: Callable[[Station], Station]
 ) -> Iterator[Images]:
@@ -39,7 +39,7 @@ def plugged(
     def plug(*options: str) -> Station:
         for image in started:
             assert image.stop() == ""
-        started[:] = [Image(str(request.param), tmp_path / "card", *options)]
+        started[:] = [Image(request.param, tmp_path / "card", *options)]
         return stations(started[0].station())
 
     yield plug

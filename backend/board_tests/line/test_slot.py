@@ -13,30 +13,28 @@ from typing import Protocol
 
 import pytest
 
-from board_tests.line.emulated import Bare, Image
+from board_tests.line.emulated import LM3S6965, STM32F405, Bare, Image, Machine
 from board_tests.line.station import Station
 
 DONE, STORAGE_FAILED = 0, 4
 CARD_ALARM = 1 << 4
-WITH_A_SLOT = ("lm3s6965evb", ("lm3s6965evb", "-cpu", "cortex-m4"))
-ON_THE_BOARD = ("stm32f405", ("netduinoplus2",))
 STANDARD, HIGH_CAPACITY = 1 << 20, 1 << 32
 
 
 class Boards(Protocol):
     """Starts a board with this card and opens its line; one that runs already loses its power without a warning."""
 
-    def __call__(self, card: Path | None, board: tuple[str, tuple[str, ...]] = WITH_A_SLOT) -> Station: ...
+    def __call__(self, card: Path | None, board: Machine = LM3S6965) -> Station: ...
 
 
 @pytest.fixture
 def powered(built_images: None, stations: Callable[[Station], Station]) -> Iterator[Boards]:
     started: list[Bare] = []
 
-    def power(card: Path | None, board: tuple[str, tuple[str, ...]] = WITH_A_SLOT) -> Station:
+    def power(card: Path | None, board: Machine = LM3S6965) -> Station:
         for running in started:
             running.cut_power()
-        started[:] = [Bare(*board, card)]
+        started[:] = [Bare(board, card)]
         return stations(started[0].station())
 
     yield power
@@ -80,7 +78,7 @@ def test_parameters_and_plan_outlive_a_power_cut(powered: Boards, tmp_path: Path
 
 
 def test_the_card_of_another_of_our_boards_is_read(powered: Boards, tmp_path: Path) -> None:
-    lent = Image("qemu", tmp_path / "folder")
+    lent = Image(STM32F405, tmp_path / "folder")
     station = opened(lent.station())
     assert station.ask("set_k_roll", 5.5) == DONE
     assert station.ask("store_parameters") == DONE
@@ -97,8 +95,8 @@ def test_the_card_of_another_of_our_boards_is_read(powered: Boards, tmp_path: Pa
     assert powered(card).line("param k_roll").split()[1] == "6.5"
 
 
-@pytest.mark.parametrize("board", [WITH_A_SLOT, ON_THE_BOARD], ids=["lm3s6965evb", "stm32f405"])
-def test_an_empty_slot_gives_the_defaults_and_the_alarm(powered: Boards, board: tuple[str, tuple[str, ...]]) -> None:
+@pytest.mark.parametrize("board", [LM3S6965, STM32F405], ids=["lm3s6965evb", "stm32f405"])
+def test_an_empty_slot_gives_the_defaults_and_the_alarm(powered: Boards, board: Machine) -> None:
     station = powered(None, board)
     assert station.line("param k_roll").split()[1] == "2"
     assert station.table("status")["card"] == "cannot be read"

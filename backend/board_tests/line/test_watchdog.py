@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from board_tests.line.conftest import Boards
-from board_tests.line.emulated import Image
+from board_tests.line.emulated import STM32F405, Image
 from board_tests.line.station import Station
 
 HANGS = 3
@@ -30,7 +30,7 @@ def test_what_is_no_task_cannot_hang(boards: Boards) -> None:
 def test_an_image_whose_task_hangs_starts_anew_and_says_why(
     built_images: None, tmp_path: Path, stations: Callable[[Station], Station]
 ) -> None:
-    image = Image("qemu", tmp_path / "card", "--hang", "controlTask")
+    image = Image(STM32F405, tmp_path / "card", "--hang", "controlTask")
     station = stations(image.station())
     asked_s = 0.0
 

@@ -5,9 +5,7 @@
 .PHONY: images size report
 
 ARM_PREFIX ?= arm-none-eabi-
-machines := stm32f405 mps2_an386
-# only for testing the card's driver: its image runs in QEMU without semihosting
-card_machine := lm3s6965evb
+machines := stm32f405 lm3s6965evb
 
 arm_flags := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -Os -g -ffp-contract=off -fno-common \
   -ffunction-sections -fdata-sections
@@ -23,8 +21,7 @@ arm_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c) \
 arm_object = $(1:%.c=$(BUILD)/cortex_m/object/%.o)
 arm_objects := $(call arm_object,$(arm_sources) $(arm_kernel_sources))
 
-images: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.bin $(BUILD)/$(machine)/epf-board-qemu.elf) \
-  $(BUILD)/$(card_machine)/epf-board.elf
+images: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.bin $(BUILD)/$(machine)/epf-board-qemu.elf)
 
 size: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.elf)
 	@$(ARM_PREFIX)size $^
@@ -64,7 +61,7 @@ $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard 
 	@$(ARM_PREFIX)gcc $$(arm_flags) -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings \
 	  -Wl,-Map=$$(@:.elf=.map) -T ports/$(1)/memory.ld -o $$@ $$(filter %.o,$$^) -lm
 endef
-$(foreach machine,$(machines) $(card_machine),$(eval $(call arm_image,$(machine),,$(none_sources))))
+$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),,$(none_sources))))
 $(foreach machine,$(machines),$(eval $(call arm_image,$(machine),-qemu,$(emulator_sources))))
 
 %.bin: %.elf

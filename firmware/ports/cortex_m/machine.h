@@ -1,5 +1,5 @@
 /// The devices of one processor besides its core: clock, one serial line, watchdog and a slot for a card.
-/// Implemented by each of ports/stm32f405, ports/mps2_an386 and ports/lm3s6965evb.
+/// Implemented by each of ports/stm32f405 and ports/lm3s6965evb.
 #ifndef MACHINE_H
 #define MACHINE_H
 

@@ -1,5 +1,6 @@
 // TI's LM3S6965 evaluation board as QEMU emulates it, with a Cortex-M4F in place of its Cortex-M3. It is the only one
-// of QEMU's boards for such a processor with a memory card on a bus: its image is for testing the card's driver.
+// of QEMU's boards for such a processor with a memory card on a bus: its images test the card's driver, and show where
+// the application relies on properties of the STM32F405.
 #include "machine.h"
 
 #include "core.h"

@@ -41,7 +41,7 @@ def run(
             metavar="URL",
             help="A real board in the demonstration board's place: a device (/dev/ttyUSB0), "
             "serial:///dev/ttyUSB0?baud=115200, or tcp://host:port. Its modes are left as they are. `qemu` is the "
-            "demonstration's board as the image of its processor (an STM32F405), `qemu-an386` that of another one.",
+            "demonstration's board as the image of its processor (an STM32F405).",
             show_default="the board on this computer",
         ),
     ] = None,

@@ -13,26 +13,22 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 QEMU: Final = "qemu-system-arm"
-_MACHINES: Final = {"qemu": ("stm32f405", "netduinoplus2"), "qemu-an386": ("mps2_an386", "mps2-an386")}
-"""Value of --board -> folder of the image, QEMU's name of the machine."""
-_BUFFERED: Final = "stm32f405"
-"""The machine whose serial port fetches bytes buffered in QEMU's multiplexer; the other one never would."""
+_OPTION: Final = "qemu"
+"""Value of --board."""
 
 
 @dataclass(frozen=True, slots=True)
 class EmulatedBoard:
     """One image under QEMU, its serial line on a TCP port of the loopback."""
 
-    folder: str
-    machine: str
     port: int
+    folder: str = "stm32f405"
+    machine: tuple[str, ...] = ("netduinoplus2",)
 
     @classmethod
     def named(cls, board: str | None) -> Self | None:
         """The emulated board that `board` names, on a free port; None if it names another kind of board."""
-        if board not in _MACHINES:
-            return None
-        return cls(*_MACHINES[board], free_tcp_port())
+        return cls(free_tcp_port()) if board == _OPTION else None
 
     @property
     def url(self) -> str:
@@ -52,7 +48,7 @@ class EmulatedBoard:
             raise LaunchError(f"The board's image {image} is missing: build it with `make images`.")
         card.mkdir(parents=True, exist_ok=True)
         return [
-            *(program, "-M", self.machine, "-kernel", str(image), "-display", "none", "-monitor", "none"),
+            *(program, "-M", *self.machine, "-kernel", str(image), "-display", "none", "-monitor", "none"),
             *self._line(),
             # QEMU ends a value at a comma; a doubled comma stands for one.
             *("-semihosting-config", f"enable=on,target=native,arg=--card,arg={str(card).replace(',', ',,')}"),
@@ -61,11 +57,8 @@ class EmulatedBoard:
     def _line(self) -> tuple[str, ...]:
         """Its serial port as a TCP port, each byte sent at once."""
         socket = f"socket,id=line,host={LOOPBACK},port={self.port},server=on,wait=off,nodelay=on"
-        words = ("-chardev", socket, "-serial", "chardev:line")
-        if self.folder != _BUFFERED:
-            return words
         # QEMU's serial port holds one byte, and its main loop passes the next one only after the firmware has read it:
         # two threads that wake each other for every byte took five sixths of a frame's time. The multiplexer buffers
         # 32 bytes between them. But it reads an escape byte as a command, even inside a frame: 256 is a value that no
         # byte has.
-        return ("-chardev", f"{socket},mux=on", *words[2:], "-echr", "256")
+        return ("-chardev", f"{socket},mux=on", "-serial", "chardev:line", "-echr", "256")
