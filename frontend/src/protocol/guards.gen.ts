@@ -967,9 +967,11 @@ export const isFlightProcessEvent = shape({
 });
 export type FlightProcessEvent = Checked<typeof isFlightProcessEvent>;
 
-/** An alarm that sounded; `lasted_s` is null where the recording ended before it did. */
+/** An alarm that sounded: when first, how often, and for how long together; `lasted_s` is null where the recording
+ * ended before it did. */
 export const isReportAlarm = shape({
   at_s: isNumber,
+  count: isNumber,
   lasted_s: nullable(isNumber),
   level: nullable(isText),
   name: isText,

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from epf_gcs.flights.report.figures import distances, pauses, round_trip, times
+from epf_gcs.flights.events import Event
+from epf_gcs.flights.report.figures import alarms, distances, pauses, round_trip, times
 from epf_gcs.flights.report.making import report
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
@@ -145,10 +146,29 @@ def test_the_link_with_its_silences_and_round_trip(found: dict[str, Any]) -> Non
 
 def test_alarms_and_marks_in_words_that_are_known(found: dict[str, Any]) -> None:
     assert found["alarms"] == [
-        {"name": "gps_lost", "level": "critical", "at_s": pytest.approx(4.0), "lasted_s": pytest.approx(5.0)},
-        {"name": "card", "level": None, "at_s": pytest.approx(8.0), "lasted_s": None},
+        {
+            "name": "gps_lost",
+            "level": "critical",
+            "at_s": pytest.approx(4.0),
+            "lasted_s": pytest.approx(5.0),
+            "count": 1,
+        },
+        {"name": "card", "level": None, "at_s": pytest.approx(8.0), "lasted_s": None, "count": 1},
     ]
     assert found["marks"] == [{"at_s": pytest.approx(6.0), "text": "first turn"}]
+
+
+def test_an_alarm_that_came_again_and_again_is_one_with_its_count() -> None:
+    def came(at_s: float, until_s: float | None, level: str) -> Event:
+        until_ns = None if until_s is None else round(until_s * 1e9)
+        data = {"level": level}
+        return {"kind": "alarm", "name": "hil_lost", "t_ns": round(at_s * 1e9), "until_ns": until_ns, "data": data}
+
+    twice = [came(1.0, 2.0, "warning"), came(5.0, 5.5, "critical")]
+    (one,) = alarms(twice, 0)
+    assert one == {"name": "hil_lost", "level": "critical", "at_s": 1.0, "lasted_s": 1.5, "count": 2}
+    (open_end,) = alarms([*twice, came(9.0, None, "warning")], 0)
+    assert (open_end["count"], open_end["lasted_s"]) == (3, None)
 
 
 def test_legs_say_how_far_beside_the_line_and_how_well_the_targets_were_held(found: dict[str, Any]) -> None:

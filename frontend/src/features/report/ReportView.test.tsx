@@ -130,14 +130,14 @@ describe("a report", () => {
   test("lists the alarms with how long each lasted, and the marks", async () => {
     await show({
       alarms: [
-        { name: "battery_low", at_s: 62, lasted_s: 3.25, level: "warning" },
-        { name: "of_a_newer_station", at_s: 700, lasted_s: null, level: null },
+        { name: "battery_low", at_s: 62, lasted_s: 3.25, level: "warning", count: 23 },
+        { name: "of_a_newer_station", at_s: 700, lasted_s: null, level: null, count: 1 },
       ],
       marks: [{ at_s: 125, text: "viraje raro" }],
     });
     const alarms = within(section("Alarmas")).getAllByRole("listitem");
     expect(alarms.map(({ textContent }) => textContent)).toEqual([
-      "1:02  batería baja: 3.3 s",
+      "1:02  batería baja × 23: 3.3 s",
       "11:40  of_a_newer_station: hasta el final",
     ]);
     expect(section("Marcas").textContent).toContain("2:05  viraje raro");

@@ -185,9 +185,9 @@ function Alarms({ report: { alarms } }: { readonly report: FlightReport }) {
   const { t, i18n } = useTranslation();
   return (
     <ul>
-      {alarms.map(({ name, at_s, lasted_s }) => (
-        <li key={`${name} ${at_s}`}>
-          {`${formatFlightTime(at_s)}  ${i18n.exists(`alarmName.${name}`) ? t(`alarmName.${name}` as never) : name}: ${
+      {alarms.map(({ name, at_s, lasted_s, count }) => (
+        <li key={name}>
+          {`${formatFlightTime(at_s)}  ${i18n.exists(`alarmName.${name}`) ? t(`alarmName.${name}` as never) : name}${count > 1 ? ` × ${count}` : ""}: ${
             lasted_s === null ? t("report.untilEnd") : shown(lasted_s, 1, "s")
           }`}
         </li>

@@ -20,7 +20,6 @@ _AIRBORNE_KT: Final = 20.0
 # Shorter hops over that speed are not flight.
 _LEAST_FLIGHT_S: Final = 3.0
 _CLIMB_SPAN_S: Final = 2.0
-_MOST_ALARMS: Final = 200
 _SPEED: Final = (
     ("simulator", "indicated_airspeed_kt", 1.0),
     ("analog", "calibrated_airspeed_kt", 1.0),
@@ -132,21 +131,31 @@ def round_trip(asked_ns: Array, answered_ns: Array, pauses: Pauses) -> Figures |
 
 
 def alarms(events: list[Event], start_ns: int) -> list[Figures]:
-    """What sounded, in order of time; `lasted_s` is None where the recording ended first."""
-    found = []
+    """What sounded, each kind once, in the order in which it sounded first: how often, and for how long together.
+
+    `lasted_s` is None where the recording ended before it did.
+    """
+    found: dict[str, Figures] = {}
     for event in events:
-        if event["kind"] == "alarm":
-            until_ns = event["until_ns"]
-            level = event["data"].get("level")
-            found.append(
-                {
-                    "name": event["name"],
-                    "level": level if isinstance(level, str) else None,
-                    "at_s": (event["t_ns"] - start_ns) * _NS,
-                    "lasted_s": None if until_ns is None else (until_ns - event["t_ns"]) * _NS,
-                }
-            )
-    return found[:_MOST_ALARMS]
+        if event["kind"] != "alarm":
+            continue
+        level, until_ns = event["data"].get("level"), event["until_ns"]
+        lasted_s = None if until_ns is None else (until_ns - event["t_ns"]) * _NS
+        one = found.setdefault(
+            event["name"],
+            {
+                "name": event["name"],
+                "level": None,
+                "at_s": (event["t_ns"] - start_ns) * _NS,
+                "lasted_s": 0.0,
+                "count": 0,
+            },
+        )
+        one["count"] += 1
+        if isinstance(level, str) and one["level"] != "critical":
+            one["level"] = level
+        one["lasted_s"] = None if lasted_s is None or one["lasted_s"] is None else one["lasted_s"] + lasted_s
+    return list(found.values())
 
 
 def marks(events: list[Event], start_ns: int) -> list[Figures]:

@@ -100,7 +100,10 @@ def _alarms(report: Report, words: Words) -> str:
     if not report["alarms"]:
         return f"<p>{escape(words['noAlarms'])}</p>"
     lasted = [words["untilEnd"] if one["lasted_s"] is None else f"{one['lasted_s']:.1f} s" for one in report["alarms"]]
-    names = [words["alarmNames"].get(one["name"], one["name"]) for one in report["alarms"]]
+    names = [
+        words["alarmNames"].get(one["name"], one["name"]) + (f" × {one['count']}" if one["count"] > 1 else "")
+        for one in report["alarms"]
+    ]
     return _list(
         f"{clock(one['at_s'])}  {name}: {text}" for one, name, text in zip(report["alarms"], names, lasted, strict=True)
     )

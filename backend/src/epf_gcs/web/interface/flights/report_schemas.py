@@ -63,12 +63,14 @@ class ReportLink(Output):
 
 
 class ReportAlarm(Output):
-    """An alarm that sounded; `lasted_s` is null where the recording ended before it did."""
+    """An alarm that sounded: when first, how often, and for how long together; `lasted_s` is null where the recording
+    ended before it did."""
 
     name: str
     level: str | None
     at_s: float
     lasted_s: float | None
+    count: int
 
 
 class ReportMark(Output):
