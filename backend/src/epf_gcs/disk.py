@@ -9,7 +9,68 @@ import time
 from collections.abc import Callable
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import BinaryIO, cast
+from typing import BinaryIO, Final, Generic, TypeVar, cast
+
+T = TypeVar("T")
+_LONGEST: Final = 16 << 20
+
+
+class DamagedFileError(ValueError):
+    """The content of a small file of ours makes no sense."""
+
+
+class KeptFile(Generic[T]):
+    """One small file that holds one value. Blocks.
+
+    `decode` may raise ValueError, TypeError, KeyError or AttributeError for bytes that are no such value.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        decode: Callable[[bytes], T],
+        encode: Callable[[T], bytes],
+        unix_s: Callable[[], float] = time.time,
+    ) -> None:
+        self.path = path
+        self._decode = decode
+        self._encode = encode
+        self._unix_s = unix_s
+
+    def read(self) -> T | None:
+        """The value; None if there is no file. Raises DamagedFileError, OSError."""
+        try:
+            with self.path.open("rb") as file:
+                return self._decode(file.read(_LONGEST))
+        except FileNotFoundError:
+            return None
+        except (ValueError, TypeError, KeyError, AttributeError) as error:
+            raise DamagedFileError(f"{self.path.name}: {error}") from error
+
+    def read_or_set_aside(self, on_damage: Callable[[Path | None], None]) -> T | None:
+        """The value; None if there is no file, or if it makes no sense: `on_damage` is told what `set_aside` gives.
+
+        Raises OSError.
+        """
+        try:
+            return self.read()
+        except DamagedFileError:
+            on_damage(self.set_aside())
+            return None
+
+    def set_aside(self) -> Path | None:
+        """Keep it under another name, for a person to look at; None if the disk refuses."""
+        try:
+            return set_aside(self.path, self._unix_s)
+        except OSError:
+            return None
+
+    def write(self, value: T | None) -> None:
+        """Replace the file as a whole; None removes it. Raises OSError, also if its folder is not there."""
+        if value is None:
+            self.path.unlink(missing_ok=True)
+        else:
+            replace_file(self.path, self._encode(value))
 
 
 def replace_file(path: Path, data: bytes, mode: int | None = None) -> None:

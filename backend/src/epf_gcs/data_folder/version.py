@@ -13,13 +13,12 @@ from typing import Final
 
 from epf_gcs import __version__
 from epf_gcs.data_folder.lock import FORMAT_FILE, LOCK_FILES
-from epf_gcs.disk import replace_file, set_aside
+from epf_gcs.disk import KeptFile, set_aside
 
 FORMAT: Final = 2
 """What this version reads and writes."""
 FILE: Final = FORMAT_FILE
 _UNNUMBERED: Final = 1
-_LONGEST: Final = 10_000
 _OF_THE_LAUNCHER: Final = LOCK_FILES | {"run.lock", "logs", "card", "board.pty"}
 
 Say = Callable[[str], None]
@@ -43,20 +42,12 @@ def read_format(folder: Path) -> Format | None:
 
     Raises ValueError if its file makes no sense, OSError.
     """
-    try:
-        with (folder / FILE).open("rb") as file:
-            found = json.loads(file.read(_LONGEST))
-    except FileNotFoundError:
-        return Format(_UNNUMBERED) if _holds_anything(folder) else None
-    if not isinstance(found, dict) or type(found.get("format")) is not int or found["format"] < 1:
-        raise ValueError(f"{FILE} names no format")
-    return Format(found["format"], str(found.get("epf_gcs", "")))
+    return _file(folder).read() or (Format(_UNNUMBERED) if _holds_anything(folder) else None)
 
 
 def write_format(folder: Path, number: int, written_by: str = __version__) -> None:
     """Write it: after a power cut the old or the new file is there. Raises OSError."""
-    text = json.dumps({"format": number, "epf_gcs": written_by}, indent=2) + "\n"
-    replace_file(folder / FILE, text.encode())
+    _file(folder).write(Format(number, written_by))
 
 
 def usable_format(folder: Path, say: Say) -> Format | None:
@@ -87,6 +78,21 @@ def newer(folder: Path, found: Format) -> str:
         f"knows format {FORMAT}. Nothing was changed. Install that version or a newer one; or, to go back, run its "
         "`epf-gcs downgrade`, or restore a backup from before; or start with another folder by --data-dir."
     )
+
+
+def _file(folder: Path) -> KeptFile[Format]:
+    return KeptFile(folder / FILE, _decode, _encode)
+
+
+def _decode(text: bytes) -> Format:
+    found = json.loads(text)
+    if type(found["format"]) is not int or found["format"] < 1:
+        raise ValueError("it names no format")
+    return Format(found["format"], str(found.get("epf_gcs", "")))
+
+
+def _encode(found: Format) -> bytes:
+    return f"{json.dumps({'format': found.number, 'epf_gcs': found.written_by}, indent=2)}\n".encode()
 
 
 def _holds_anything(folder: Path) -> bool:

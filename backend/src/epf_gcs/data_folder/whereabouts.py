@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.data_folder.lock import FLIGHT, PATIENCE_S, STATION, WEB, DataFolder, held, is_in_use, tighten
-from epf_gcs.disk import replace_file
+from epf_gcs.disk import KeptFile
 from epf_gcs.errors import ConflictError
 
 FILE: Final = "listening.json"
-_LONGEST: Final = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +27,7 @@ class Whereabouts:
 def leave(folder: Path, found: Whereabouts) -> None:
     """Write where we listen. Raises OSError; then what another run wrote is gone, if that can be."""
     try:
-        replace_file(folder / FILE, (json.dumps(asdict(found)) + "\n").encode())
+        _file(folder).write(found)
     except OSError:
         with suppress(OSError):
             (folder / FILE).unlink()
@@ -38,7 +37,7 @@ def leave(folder: Path, found: Whereabouts) -> None:
 def take_back(folder: Path, found: Whereabouts) -> None:
     """Remove what `leave` wrote, unless another run has written since."""
     with suppress(OSError, ValueError):
-        if json.loads((folder / FILE).read_bytes()) == asdict(found):
+        if _file(folder).read() == found:
             (folder / FILE).unlink()
 
 
@@ -48,17 +47,20 @@ def of_running(folder: Path) -> Whereabouts | None:
     A file that a killed one left does not count: the folder is then in nobody's use.
     """
     try:
-        if not is_in_use(folder):
-            return None
-        with (folder / FILE).open("rb") as file:
-            found = json.loads(file.read(_LONGEST))
+        return _file(folder).read() if is_in_use(folder) else None
     except (OSError, ValueError):
         return None
-    if not isinstance(found, dict):
-        return None
-    host, port, tls = found.get("host"), found.get("port"), found.get("tls")
+
+
+def _file(folder: Path) -> KeptFile[Whereabouts]:
+    return KeptFile(folder / FILE, _decode, lambda found: f"{json.dumps(asdict(found))}\n".encode())
+
+
+def _decode(text: bytes) -> Whereabouts:
+    found = json.loads(text)
+    host, port, tls = found["host"], found["port"], found["tls"]
     if not isinstance(host, str) or type(port) is not int or not 0 < port < 1 << 16 or not isinstance(tls, bool):
-        return None
+        raise ValueError("it names no address")
     return Whereabouts(host, port, tls)
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Self
 
 import orjson
 
-from epf_gcs.disk import replace_file, set_aside
+from epf_gcs.disk import KeptFile
 
 
 @dataclass(slots=True)
@@ -62,20 +61,15 @@ def read_about(path: Path) -> About:
 
     Raises OSError.
     """
-    try:
-        return About.from_json(path.read_bytes())
-    except FileNotFoundError:
-        return About()
-    except ValueError:
-        with contextlib.suppress(FileNotFoundError):
-            set_aside(path)
-        return About()
+    return _file(path).read_or_set_aside(lambda _: None) or About()
 
 
 def write_about(path: Path, about: About) -> None:
     """Replace the file at once, so that a power cut leaves the old or the new one. Raises OSError."""
-    if about.is_empty:
-        path.unlink(missing_ok=True)
-        return
-    path.parent.mkdir(parents=True, exist_ok=True)
-    replace_file(path, about.as_json())
+    if not about.is_empty:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    _file(path).write(None if about.is_empty else about)
+
+
+def _file(path: Path) -> KeptFile[About]:
+    return KeptFile(path, About.from_json, About.as_json)

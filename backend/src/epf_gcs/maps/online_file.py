@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import orjson
 
-from epf_gcs.disk import replace_file, set_aside
+from epf_gcs.disk import KeptFile
 from epf_gcs.errors import GatewayError
 
 _FILE: Final = "online-maps.json"
@@ -18,38 +18,38 @@ class OnlineFile:
     """Read once at the start, written at each choice, both blocking. `report` is called when the disk fails."""
 
     def __init__(self, data_dir: Path, report: Callable[[GatewayError], None]) -> None:
-        self._path = data_dir / _FILE
+        self._file = KeptFile(
+            data_dir / _FILE,
+            lambda text: dict(orjson.loads(text)),
+            lambda choice: orjson.dumps(choice, option=orjson.OPT_INDENT_2),
+        )
         self._report = report
 
     def read(self) -> dict[str, Any]:
         """The last choice; empty if there is none, or if the file cannot be read: then it is kept aside."""
         try:
-            return dict(orjson.loads(self._path.read_bytes()))
-        except FileNotFoundError:
-            return {}
+            return self._file.read_or_set_aside(self._complain_of_damage) or {}
         except OSError as error:
             self._complain("read", error.strerror or str(error))
-        except (ValueError, TypeError):
-            try:
-                self._complain("read", f"its content makes no sense; it is kept as {set_aside(self._path).name}")
-            except OSError:
-                self._complain("read", "its content makes no sense")
-        return {}
+            return {}
 
     def write(self, choice: dict[str, Any]) -> None:
         """Replace the file as a whole: after a power cut it holds the old or the new choice."""
         try:
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            replace_file(self._path, orjson.dumps(choice, option=orjson.OPT_INDENT_2))
+            self._file.path.parent.mkdir(parents=True, exist_ok=True)
+            self._file.write(choice)
         except OSError as error:
             self._complain("written", error.strerror or str(error))
+
+    def _complain_of_damage(self, kept: Path | None) -> None:
+        self._complain("read", "its content makes no sense" + ("" if kept is None else f"; it is kept as {kept.name}"))
 
     def _complain(self, done: str, why: str) -> None:
         self._report(
             GatewayError(
                 "memory_not_written" if done == "written" else "memory_unreadable",
-                f"The choice of online maps in {self._path} could not be {done} ({why}): "
+                f"The choice of online maps in {self._file.path} could not be {done} ({why}): "
                 "free the disk or correct its permissions.",
-                path=str(self._path),
+                path=str(self._file.path),
             )
         )

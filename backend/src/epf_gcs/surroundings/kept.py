@@ -6,9 +6,8 @@ from pathlib import Path
 from typing import Final
 
 import structlog
-from pydantic import ValidationError
 
-from epf_gcs.disk import replace_file, set_aside
+from epf_gcs.disk import DamagedFileError, KeptFile, set_aside
 from epf_gcs.errors import ConflictError
 from epf_gcs.surroundings.choice import SurroundingsChange, crossing
 
@@ -25,20 +24,22 @@ class KeptSurroundings:
     """Blocks: called from a thread."""
 
     def __init__(self, data_dir: Path) -> None:
-        self._path = data_dir / FILE_NAME
+        self._file = KeptFile(
+            data_dir / FILE_NAME,
+            SurroundingsChange.model_validate_json,
+            lambda choice: choice.model_dump_json().encode(),
+        )
 
     def read(self) -> SurroundingsChange | None:
         """The choice; None if there is one that cannot be read. Its file stays until another choice replaces it, so
         that no restart takes an unknown choice for none."""
         try:
-            choice = SurroundingsChange.model_validate_json(self._path.read_bytes())
+            choice = self._file.read() or OFF
             if crossing(choice) is None:
                 return choice
-            log.warning("the fence that was chosen crosses itself", file=str(self._path))
-        except FileNotFoundError:
-            return OFF
-        except ValidationError:
-            log.warning("the choice of ground and fence is damaged", file=str(self._path))
+            log.warning("the fence that was chosen crosses itself", file=str(self._file.path))
+        except DamagedFileError:
+            log.warning("the choice of ground and fence is damaged", file=str(self._file.path))
         except OSError as error:
             log.warning("the choice of ground and fence cannot be read", reason=error.strerror or str(error))
         return None
@@ -47,8 +48,8 @@ class KeptSurroundings:
         """Keep the choice, and one that cannot be read beside it. Raises ConflictError if the disk does not take it."""
         try:
             if self.read() is None:
-                set_aside(self._path)
-            replace_file(self._path, choice.model_dump_json().encode())
+                set_aside(self._file.path)
+            self._file.write(choice)
         except OSError as error:
             reason = error.strerror or str(error)
             raise ConflictError(

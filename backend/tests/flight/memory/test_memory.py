@@ -12,6 +12,7 @@ import orjson
 import pytest
 import structlog
 
+from epf_gcs import disk
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory import memory as memory_module
 from epf_gcs.flight.memory.memory import FlightMemory, Memory, _encode
@@ -123,7 +124,7 @@ def test_a_disk_that_stalls_stalls_nobody_and_the_newest_wins(tmp_path: Path, mo
         goes_on.wait()
         written.append(data)
 
-    monkeypatch.setattr(memory_module, "replace_file", stall)
+    monkeypatch.setattr(disk, "replace_file", stall)
     memory, _ = a_memory(tmp_path / "state.json")
     memory.update(board_url="tcp://h:0")
     stalled.wait()
@@ -166,7 +167,7 @@ def test_values_that_change_quickly_are_gathered_into_one_writing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     written: list[bytes] = []
-    monkeypatch.setattr(memory_module, "replace_file", lambda _path, data: written.append(data))
+    monkeypatch.setattr(disk, "replace_file", lambda _path, data: written.append(data))
     monkeypatch.setattr(memory_module, "_GATHER_S", 3600.0)
     memory, _ = a_memory(tmp_path / "state.json")
     for number in range(50):

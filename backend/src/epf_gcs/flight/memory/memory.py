@@ -13,7 +13,7 @@ from typing import Any, Final
 
 import orjson
 
-from epf_gcs.disk import replace_file, set_aside
+from epf_gcs.disk import KeptFile
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.memory.flight_log import say
 from epf_gcs.vehicle.wanted import IntendedSettings
@@ -48,9 +48,8 @@ class Memory:
     def __init__(
         self, path: Path, report: Callable[[GatewayError], None], *, unix_s: Callable[[], float] = time.time
     ) -> None:
-        self._path = path
+        self._file = KeptFile(path, _decode, _encode, unix_s)
         self._report = report
-        self._unix_s = unix_s
         self._loop = _running_loop()
         self._wake = threading.Condition()
         # Shared with the thread, under `_wake`.
@@ -99,15 +98,15 @@ class Memory:
 
     def _write(self, values: FlightMemory) -> None:
         try:
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            replace_file(self._path, _encode(values))
+            self._file.path.parent.mkdir(parents=True, exist_ok=True)
+            self._file.write(values)
         except OSError as error:
             self._hand_over(
                 GatewayError(
                     "memory_not_written",
-                    f"The settings could not be kept in {self._path} ({error.strerror or error}): "
+                    f"The settings could not be kept in {self._file.path} ({error.strerror or error}): "
                     "free the disk or correct its permissions, or they are lost at the next start.",
-                    path=str(self._path),
+                    path=str(self._file.path),
                 )
             )
 
@@ -120,36 +119,23 @@ class Memory:
 
     def _load(self) -> FlightMemory:
         try:
-            return _decode(orjson.loads(self._path.read_bytes()))
-        except FileNotFoundError:
-            return FlightMemory()
-        except (OSError, ValueError, TypeError, KeyError, AttributeError) as error:
-            why = error.strerror or str(error) if isinstance(error, OSError) else "its content makes no sense"
-            kept = self._set_aside()
-            where = "it could not be kept aside" if kept is None else f"it is kept as {kept.name}"
-            say(
-                "warning",
-                "settings unreadable",
-                path=str(self._path),
-                reason=why,
-                kept=None if kept is None else kept.name,
-            )
-            self._report(
-                GatewayError(
-                    "memory_unreadable",
-                    f"The settings in {self._path} could not be read ({why}): "
-                    f"the gateway starts without them; {where}.",
-                    path=str(self._path),
-                )
-            )
-            return FlightMemory()
+            found = self._file.read_or_set_aside(lambda kept: self._say_unreadable("its content makes no sense", kept))
+        except OSError as error:
+            found = None
+            self._say_unreadable(error.strerror or str(error), self._file.set_aside())
+        return found or FlightMemory()
 
-    def _set_aside(self) -> Path | None:
-        """Keep an unreadable file under another name, for a person to look at. None if the disk refuses."""
-        try:
-            return set_aside(self._path, self._unix_s)
-        except OSError:
-            return None
+    def _say_unreadable(self, why: str, kept: Path | None) -> None:
+        where = "it could not be kept aside" if kept is None else f"it is kept as {kept.name}"
+        path = str(self._file.path)
+        say("warning", "settings unreadable", path=path, reason=why, kept=None if kept is None else kept.name)
+        self._report(
+            GatewayError(
+                "memory_unreadable",
+                f"The settings in {path} could not be read ({why}): the gateway starts without them; {where}.",
+                path=path,
+            )
+        )
 
 
 def _running_loop() -> asyncio.AbstractEventLoop | None:
@@ -178,7 +164,8 @@ def _encode(values: FlightMemory) -> bytes:
     )
 
 
-def _decode(values: dict[str, Any]) -> FlightMemory:
+def _decode(text: bytes) -> FlightMemory:
+    values = orjson.loads(text)
     source = values["source"]
     return FlightMemory(
         board_url=_text(values["board_url"]),
