@@ -77,6 +77,9 @@ def raising_once(module: str, turn: Callable[..., Any], turns: Counter[str]) -> 
         turns[module] += 1
         if turns[module] == 1:
             raise ZeroDivisionError
+        if module == "web.stream.socket":
+            # So short a keepalive would put out a viewer that a busy computer holds up for a moment.
+            arguments[0]._answered = True
         return turn(*arguments)
 
     return faulty

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from epf_gcs.vehicle.flight_judges import BatteryJudge
 from epf_gcs.vehicle.judges import (
     HICCUP_S,
-    BatteryJudge,
     CpuJudge,
     DamageJudge,
     Debounce,

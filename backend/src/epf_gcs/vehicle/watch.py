@@ -7,16 +7,14 @@ from typing import Any
 
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.flight_figures import FlightFigures
+from epf_gcs.vehicle.flight_judges import BatteryJudge, LimitJudge, ReceiverJudge
 from epf_gcs.vehicle.judges import (
-    BatteryJudge,
     CpuJudge,
     DamageJudge,
     Finding,
     GpsJudge,
-    LimitJudge,
     Line,
     Loop,
-    ReceiverJudge,
     judge_card,
     judge_heartbeat,
     judge_hil,
