@@ -191,6 +191,7 @@ export function createPage(world: World): {
   const socket = new StreamSocket({
     dial: (listener) => world.dial(client() ?? rememberedClient(world.tabStorage), listener),
     timers,
+    wall_ms: world.wall_ms,
     onMessage: take,
     onState: ({ kind }) => {
       if (kind !== "open") {

@@ -72,6 +72,7 @@ export function createPasts(parts: PastParts): Pasts {
     const socket: StreamSocket = new StreamSocket({
       dial: (wire) => parts.dial(place(), wire),
       timers: parts.timers,
+      wall_ms: parts.asking.wall_ms,
       onMessage: (message, at_ms) => {
         made.take(message, at_ms);
         if (message.type === "hello" && message.flight !== null) {

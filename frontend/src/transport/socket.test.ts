@@ -8,6 +8,8 @@ let timers: ManualTimers;
 let wires: ManualWire[];
 let messages: StreamMessage[];
 let states: SocketState[];
+/** So long the computer slept: the clock of the timers stood still. */
+let slept_ms: number;
 let malformed: number;
 /** What `onState` and `dial` throw once. */
 let fault: { readonly onState?: SocketState["kind"]; readonly dial?: true } = {};
@@ -37,6 +39,7 @@ beforeEach(() => {
   wires = [];
   messages = [];
   states = [];
+  slept_ms = 0;
   malformed = 0;
   fault = {};
   reported = [];
@@ -47,6 +50,7 @@ beforeEach(() => {
       return wire();
     },
     timers,
+    wall_ms: () => timers.now_ms() + slept_ms,
     onMessage: (message) => messages.push(message),
     onState: (state) => {
       failOnce(fault.onState === state.kind);
@@ -86,6 +90,7 @@ describe("batches", () => {
         return dialled;
       },
       timers: broken,
+      wall_ms: broken.now_ms,
       onMessage: () => {
         throw new Error("broken receiver");
       },
@@ -147,6 +152,25 @@ describe("silence", () => {
       timers.pass(0);
     }
     expect(wires[0]?.closed).toBe(true);
+  });
+
+  test("of a computer that slept is known within a second, though its browser says that the line is open", () => {
+    wire().deliver(status);
+    slept_ms = 90_000;
+    timers.pass(750);
+    expect(wires[0]?.closed).toBe(true);
+    expect(wires).toHaveLength(2);
+  });
+
+  test("of a computer that slept for a moment, and of a clock that was set back, is none", () => {
+    wire().deliver(status);
+    slept_ms = 700;
+    timers.pass(250);
+    wire().deliver(status);
+    slept_ms = -3_600_000;
+    timers.pass(900);
+    expect(wires).toHaveLength(1);
+    expect(states.map(({ kind }) => kind)).toEqual(["connecting", "open"]);
   });
 
   test("that lasts gives the line up and dials again", () => {

@@ -30,6 +30,8 @@ export type SocketState =
 export interface SocketOptions {
   readonly dial: (listener: WireListener) => Wire;
   readonly timers: Timers;
+  /** Unix milliseconds: unlike the timers' clock it goes on while the computer sleeps. */
+  readonly wall_ms: () => number;
   readonly onMessage: (message: StreamMessage, now_ms: number) => void;
   readonly onState: (state: SocketState) => void;
   /** A message that is not as agreed: dropped here, counted by the receiver of this call. */
@@ -53,6 +55,7 @@ export class StreamSocket {
   #wire: Wire | null = null;
   #state: SocketState = { kind: "connecting" };
   #heard_ms = 0;
+  #heardWall_ms = 0;
   #looked_ms = 0;
   #wasHeldUp = false;
   #failures = 0;
@@ -98,7 +101,7 @@ export class StreamSocket {
 
   #dial(): null {
     this.#become({ kind: "connecting" });
-    this.#heard_ms = this.#options.timers.now_ms();
+    this.#hear(this.#options.timers.now_ms());
     let wire: Wire | null = null;
     try {
       wire = this.#options.dial({
@@ -126,7 +129,7 @@ export class StreamSocket {
       this.#options.onMalformed();
       return;
     }
-    this.#heard_ms = now_ms;
+    this.#hear(now_ms);
     this.#failures = 0;
     if (this.#state.kind !== "open") {
       this.#become({ kind: "open" });
@@ -158,9 +161,20 @@ export class StreamSocket {
     return this.#wasHeldUp;
   }
 
-  /** Notice silence; false if it has lasted too long. */
+  #hear(now_ms: number): void {
+    this.#heard_ms = now_ms;
+    this.#heardWall_ms = this.#options.wall_ms();
+  }
+
+  /**
+   * Notice silence; false if it has lasted too long. Of a computer that slept the browser may say that its line is open,
+   * though the other end gave it up long ago: the silence counts by whichever clock went on.
+   */
   #look(): boolean {
-    const silence_ms = this.#options.timers.now_ms() - this.#heard_ms;
+    const silence_ms = Math.max(
+      this.#options.timers.now_ms() - this.#heard_ms,
+      this.#options.wall_ms() - this.#heardWall_ms,
+    );
     if (silence_ms >= GIVE_UP_AFTER_MS) {
       return false;
     }
