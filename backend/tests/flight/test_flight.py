@@ -71,7 +71,7 @@ async def test_changes_that_come_together_are_one_status_and_a_later_one_is_anot
 async def test_a_line_that_changes_is_told_with_the_status_before_anything_else(tmp_path: Path) -> None:
     flight = Flight(tmp_path, record=False)
     station = Station(flight)
-    flight._on_line()
+    flight.on_line()
     assert station.names() == ["link", "STATUS"]
     assert station.records[0][1] == {"board": "closed", "simulator": "closed"}
 
@@ -93,15 +93,15 @@ async def test_bytes_of_the_board_may_wait_while_neither_a_simulator_nor_a_stati
     tmp_path: Path,
 ) -> None:
     flight = Flight(tmp_path, record=False)
-    assert flight._may_wait()
+    assert flight.may_wait()
     station = Station(flight)
-    assert not flight._may_wait(), "it wants each sample at once"
+    assert not flight.may_wait(), "it wants each sample at once"
     flight.outlet.pace(station.channel, 10)
-    assert flight._may_wait()
+    assert flight.may_wait()
     flight.hil.link = cast("UdpLink", object())
-    assert not flight._may_wait(), "the loop is closed"
+    assert not flight.may_wait(), "the loop is closed"
     flight.hil.link = None
-    assert flight._may_wait()
+    assert flight.may_wait()
 
 
 async def test_a_station_is_greeted_with_whose_controls_they_are_or_were_until_just_now(tmp_path: Path) -> None:
@@ -130,13 +130,13 @@ async def test_a_board_that_moves_the_surfaces_of_a_simulator_flies(
     ):
         states.append(state)
         flight.hil.path = path  # type: ignore[assignment]
-        assert flight._flies() is flies
+        assert flight.flies() is flies
 
 
 async def test_a_board_flies_as_long_as_one_of_its_autopilots_is_on(tmp_path: Path) -> None:
     flight = Flight(tmp_path, record=False)
     flight.telemetry.take("heartbeat", 1.0, {"autopilot": True, "autopilot_hil": False})
-    assert flight._flies()
+    assert flight.flies()
 
 
 async def test_a_flight_begins_with_what_was_remembered(tmp_path: Path) -> None:
@@ -159,10 +159,10 @@ def last_s(flight: Flight) -> tuple[float | None, float | None]:
 async def test_a_test_of_the_board_that_has_the_line_leaves_the_loop_at_rest(tmp_path: Path) -> None:
     flight = Flight(tmp_path, record=False)
     flight.hil.last_to_board_s = flight.hil.last_surfaces_s = 1.0
-    flight._on_ahrs_test()
+    flight.on_ahrs_test()
     assert last_s(flight) == (1.0, 1.0), "it has not begun"
     flight.board.exclusive_user = flight.ahrs_test
-    flight._on_ahrs_test()
+    flight.on_ahrs_test()
     assert last_s(flight) == (None, None)
 
 
@@ -183,11 +183,11 @@ async def test_gains_of_a_board_that_opened_anew_or_whose_line_has_gone_are_not_
     flight._on_opened()
     assert not known()
     assert loaded()
-    flight._on_line()
+    flight.on_line()
     assert not known(), "the board is not open"
     assert loaded()
     monkeypatch.setattr(type(flight.board), "is_open", property(lambda _: True))
-    flight._on_line()
+    flight.on_line()
     assert known(), "only the simulator's line has changed"
 
 

@@ -12,7 +12,7 @@ from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.state import advised, inspection
 from epf_gcs.flight.state.advised import AdviceWatch
-from epf_gcs.flight.state.inspection import InspectorSources
+from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.notes import EVENT
 from epf_gcs.recordings.reading import notes_of
@@ -24,7 +24,7 @@ from tests.support.waiting import eventually_async
 
 def watch() -> AdviceWatch:
     """One of which only the choice of what is new is asked."""
-    return AdviceWatch(cast("InspectorSources", None), cast("Outlet", None))
+    return AdviceWatch(cast("StateSources", None), cast("Outlet", None))
 
 
 def piece(code: AdviceCode, **params: Any) -> AdviceState:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections.abc import AsyncIterator
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -42,17 +43,11 @@ class Kept:
         self.ticks = 0
         self.changes = 0
         self.clock_looks = 0
+        alarms = Alarms(lambda _: self._look(), self.outlet, {}, lambda _: None)
         self.keeping = Housekeeping(
-            clock=flight.clock,
-            outlet=self.outlet,
-            board=flight.board,
-            supervisor=flight.supervisor,
-            simulator=flight.simulator,
+            replace(flight.sources, alarms=alarms),
+            self.outlet,
             stick=flight.stick,
-            ahrs_test=flight.ahrs_test,
-            rates=flight.rates,
-            alarms=Alarms(lambda _: self._look(), self.outlet, {}, lambda _: None),
-            recorder=flight.recorder,
             log=FlightLog(flight.clock.steady_s),
             clock_watch=ClockWatch(flight.clock, lambda *_: None, synchronised=self._synchronised),
             on_change=self._changed,

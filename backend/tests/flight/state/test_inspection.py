@@ -16,7 +16,7 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import END, TELEMETRY, TELEMETRY_BY_NAME, TO_PC_HEADER
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, SimulatorAddress
-from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
+from epf_gcs.flight.state.inspection import build_inspector, take_snapshot
 from epf_gcs.link.address import EMULATION, parse_address
 from epf_gcs.vehicle.wanted import IntendedSettings
 from epf_gcs.xplane.datagram import Record, build
@@ -76,23 +76,8 @@ async def open_board(station: Flight, board: FakeBoard) -> None:
     await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
 
 
-def sources(station: Flight) -> InspectorSources:
-    return InspectorSources(
-        station.clock,
-        station.board,
-        station.telemetry,
-        station.supervisor,
-        station.simulator,
-        station.hil,
-        station.rates,
-        station.memory,
-        station.watch,
-        station.alarms,
-    )
-
-
 def inspect(station: Flight) -> dict[str, Any]:
-    return asdict(build_inspector(take_snapshot(sources(station))))
+    return asdict(build_inspector(take_snapshot(station.sources)))
 
 
 def frames(station: Flight) -> dict[str, dict[str, Any]]:
@@ -212,7 +197,7 @@ async def test_of_a_full_line_the_servo_streams_have_the_share_that_came(tmp_pat
         for place in range(100):
             station.board.frame_statistics.heard[name].heard(now_s + place * period_s, None)
     station.memory.update(wanted=IntendedSettings().after("set_servos_task_rate", (40,)))
-    snapshot = take_snapshot(sources(station))
+    snapshot = take_snapshot(station.sources)
     full = replace(
         snapshot,
         now_s=now_s + 1.98,
@@ -343,7 +328,7 @@ async def test_what_was_copied_stays_as_it_was_while_more_comes(tmp_path: Path) 
     station.board.on_bytes(ahrs)
     station.hil.on_datagram(row)
     await asyncio.sleep(0)
-    snapshot = take_snapshot(sources(station))
+    snapshot = take_snapshot(station.sources)
     station.board.on_bytes(ahrs)
     station.hil.on_datagram(row)
     await asyncio.sleep(0)
@@ -408,13 +393,13 @@ async def test_a_stream_is_expected_as_the_heartbeat_says_and_a_plan_as_it_was_a
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     station = Flight(tmp_path, record=False)
-    assert take_snapshot(sources(station)).expected_hz == {}, "no board is open"
+    assert take_snapshot(station.sources).expected_hz == {}, "no board is open"
     monkeypatch.setattr(type(station.board), "is_open", property(lambda _: True))
-    assert take_snapshot(sources(station)).expected_hz == {"heartbeat": 10.0}
+    assert take_snapshot(station.sources).expected_hz == {"heartbeat": 10.0}
     station.telemetry.take("heartbeat", 1.0, {"ahrs": True, "gps": False, "servos": True, "fly_by_wire": None})
     wanted = IntendedSettings().after("gps_on", ()).after("fms_plan_on", ()).after("set_servos_task_rate", (40,))
     station.memory.update(wanted=wanted)
-    assert take_snapshot(sources(station)).expected_hz == {
+    assert take_snapshot(station.sources).expected_hz == {
         "heartbeat": 10.0,
         "ahrs": 10.0,
         "servos_in": 25.0,

@@ -356,14 +356,14 @@ async def test_a_line_that_failed_before_a_board_was_heard_is_an_alarm_only_if_i
 
 async def test_a_board_flies_when_it_says_so_or_moves_the_surfaces_and_not_when_it_says_nothing(tmp_path: Path) -> None:
     station = Flight(tmp_path / "data", record=False)
-    assert not station._flies()
+    assert not station.flies()
     silent: Values = {"autopilot": None}
     off: Values = {"autopilot": False, "autopilot_hil": False}
     for values in (silent, off):
         station.telemetry.take("heartbeat", 1.0, values)
-        assert not station._flies()
+        assert not station.flies()
     station.telemetry.take("heartbeat", 1.0, {"autopilot": False, "autopilot_hil": True})
-    assert station._flies()
+    assert station.flies()
 
 
 def saying(value: object) -> property:

@@ -19,12 +19,13 @@ from epf_gcs.contract.requests import (
     ReadThresholds,
 )
 from epf_gcs.contract.status import AlarmState, Status
-from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
+from epf_gcs.flight.state.inspection import build_inspector, take_snapshot
+from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.vehicle.alarms import Alarms
 
 
 def state_requests(
-    status: Callable[[], Status], newest: Callable[[], dict[str, Sample]], sources: InspectorSources
+    status: Callable[[], Status], newest: Callable[[], dict[str, Sample]], sources: StateSources
 ) -> Handlers:
     """Status, the newest samples, and every message measured."""
 

@@ -9,7 +9,8 @@ from typing import Any, Final
 
 from epf_gcs.contract.events import AdviceEvent
 from epf_gcs.contract.inspector import AdviceState
-from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
+from epf_gcs.flight.state.inspection import build_inspector, take_snapshot
+from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.repeating import repeat
 from epf_gcs.vehicle.outside import Outlet
 
@@ -23,7 +24,7 @@ _ABOUT: Final = ("row", "direction", "topic")
 class AdviceWatch:
     """Looks every ten seconds whether there is anything new to advise."""
 
-    def __init__(self, sources: InspectorSources, outlet: Outlet) -> None:
+    def __init__(self, sources: StateSources, outlet: Outlet) -> None:
         self._sources = sources
         self._outlet = outlet
         self._looks = 0

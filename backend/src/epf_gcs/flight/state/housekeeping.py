@@ -6,19 +6,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.clock import Clock
 from epf_gcs.contract.events import RecordingEvent
-from epf_gcs.flight.board.ahrs_test import AhrsTestRun
-from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.clock.clock_watch import ClockWatch
-from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.memory.flight_log import FlightLog
-from epf_gcs.flight.recording.recorder import Recorder
-from epf_gcs.flight.state.line_rates import LineRates
+from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.repeating import repeat
-from epf_gcs.vehicle.alarms import Alarms
-from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Outlet
 
 _TICK_S: Final = 0.1
@@ -30,31 +23,17 @@ class Housekeeping:
 
     def __init__(
         self,
-        *,
-        clock: Clock,
+        parts: StateSources,
         outlet: Outlet,
-        board: Board,
-        supervisor: Supervisor,
-        simulator: Simulator,
+        *,
         stick: Stick,
-        ahrs_test: AhrsTestRun,
-        rates: LineRates,
-        alarms: Alarms,
-        recorder: Recorder | None,
         log: FlightLog,
         clock_watch: ClockWatch,
         on_change: Callable[[], None],
     ) -> None:
-        self._clock = clock
+        self._parts = parts
         self._outlet = outlet
-        self._board = board
-        self._supervisor = supervisor
-        self._simulator = simulator
         self._stick = stick
-        self._ahrs_test = ahrs_test
-        self._rates = rates
-        self._alarms = alarms
-        self._recorder = recorder
         self._log = log
         self._clock_watch = clock_watch
         self._on_change = on_change
@@ -67,28 +46,28 @@ class Housekeeping:
 
     def _tick(self) -> None:
         self._ticks += 1
-        self._board.tick()
-        self._ahrs_test.tick()
+        self._parts.board.tick()
+        self._parts.ahrs_test.tick()
         self._stick.tick()
         if self._ticks % _STATUS_EVERY_TICKS == 0:
-            self._rates.note(self._clock.steady_s(), self._board, self._simulator)
+            self._parts.rates.note(self._parts.clock.steady_s(), self._parts.board, self._parts.simulator)
             self.log_links()
             self._clock_watch.look()
             self._on_change()
-        if self._alarms.look(self._clock.now_s()):
+        if self._parts.alarms.look(self._parts.clock.now_s()):
             self._on_change()
         self._watch_recording()
 
     def log_links(self) -> None:
         """Pass the state of both links to the log, which writes only changes."""
-        board, simulator = self._supervisor, self._simulator
+        board, simulator = self._parts.supervisor, self._parts.simulator
         self._log.link("board", board.state, None if board.address is None else board.address.url, board.failure)
         where = None if simulator.address is None else f"{simulator.address.send_host}:{simulator.address.send_port}"
         self._log.link("simulator", simulator.state, where, simulator.failure)
 
     def _watch_recording(self) -> None:
         """Tell the viewers when a recording begins or ends: the writing thread may not touch the event loop's parts."""
-        file = self._recorder.file if self._recorder is not None else None
+        file = self._parts.recorder.file if self._parts.recorder is not None else None
         if file != self._recording:
             self._recording = file
             self._outlet.event(RecordingEvent(file is not None, None if file is None else file.name))

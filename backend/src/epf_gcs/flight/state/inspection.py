@@ -10,19 +10,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from epf_gcs.clock import Clock
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME, XPLANE_ROWS
 from epf_gcs.contract.inspector import InspectedLink, Inspector
-from epf_gcs.flight.board.board_link import Supervisor
-from epf_gcs.flight.hil.hil import Hil
-from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
-from epf_gcs.flight.memory.memory import Memory
-from epf_gcs.flight.state.line_rates import LineRates
-from epf_gcs.flight.state.watch import Watch
+from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S
+from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.vehicle.advice import AdviceFacts, MissingRow, Stream, advice
-from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.arrivals import Arrivals
-from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.health import TASK_OF_TOPIC
 from epf_gcs.vehicle.inspection import (
     EXPECTED_ROWS,
@@ -32,7 +25,6 @@ from epf_gcs.vehicle.inspection import (
     inspect_rows,
     share_percent,
 )
-from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS
 
 _SERVO_STREAMS: Final = ("servos_in", "fly_by_wire")
@@ -58,23 +50,7 @@ class Snapshot:
     expected_hz: Mapping[str, float]
 
 
-@dataclass(frozen=True, slots=True)
-class InspectorSources:
-    """The parts whose counters are read."""
-
-    clock: Clock
-    board: Board
-    telemetry: Telemetry
-    supervisor: Supervisor
-    simulator: Simulator
-    hil: Hil
-    rates: LineRates
-    memory: Memory
-    watch: Watch
-    alarms: Alarms
-
-
-def take_snapshot(parts: InspectorSources) -> Snapshot:
+def take_snapshot(parts: StateSources) -> Snapshot:
     """Copy the counters."""
     link = _link(parts)
     return Snapshot(
@@ -106,7 +82,7 @@ def build_inspector(snapshot: Snapshot) -> Inspector:
     )
 
 
-def _link(parts: InspectorSources) -> InspectedLink:
+def _link(parts: StateSources) -> InspectedLink:
     rates, board = parts.rates, parts.board
     capacity = board.baud / 10.0 if board.link is not None else None
     rx, tx, simulator = rates.board_in.per_s(), rates.board_out.per_s(), rates.simulator_in.per_s()
@@ -123,7 +99,7 @@ def _link(parts: InspectorSources) -> InspectedLink:
     )
 
 
-def _observed(parts: InspectorSources, link: InspectedLink) -> AdviceFacts:
+def _observed(parts: StateSources, link: InspectedLink) -> AdviceFacts:
     """The observations that need no rate."""
     surfaces_s = parts.hil.last_surfaces_s
     is_alive = surfaces_s is not None and parts.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
@@ -142,7 +118,7 @@ def _observed(parts: InspectorSources, link: InspectedLink) -> AdviceFacts:
     )
 
 
-def _silent_target(parts: InspectorSources) -> str | None:
+def _silent_target(parts: StateSources) -> str | None:
     address = parts.supervisor.address
     if address is None:
         return None
@@ -152,31 +128,31 @@ def _silent_target(parts: InspectorSources) -> str | None:
     return None if is_heard else address.target
 
 
-def _rubbish_at_baud(parts: InspectorSources) -> int | None:
+def _rubbish_at_baud(parts: StateSources) -> int | None:
     address = parts.supervisor.address
     is_rubbish = address is not None and address.scheme == "serial" and parts.board.hears_only_rubbish
     return parts.board.baud if is_rubbish else None
 
 
-def _silent_port(parts: InspectorSources) -> int | None:
+def _silent_port(parts: StateSources) -> int | None:
     address = parts.simulator.address
     is_silent = address is not None and parts.simulator.state in ("opening", "lost")
     return address.receive_port if address is not None and is_silent else None
 
 
-def _missing_rows(parts: InspectorSources) -> list[MissingRow]:
+def _missing_rows(parts: StateSources) -> list[MissingRow]:
     definitions = XPLANE_ROWS[parts.hil.profile]
     return [MissingRow(row, definitions[row].name) for row in sorted(EXPECTED_ROWS - set(parts.hil.rows))]
 
 
-def _strangers(parts: InspectorSources) -> int:
+def _strangers(parts: StateSources) -> int:
     """Number of datagrams from unknown senders; 0 if none came recently."""
     last_s = parts.simulator.last_stranger_s
     is_recent = last_s is not None and parts.clock.steady_s() - last_s < _STRANGERS_S
     return parts.simulator.dropped["stranger"] if is_recent else 0
 
 
-def _expected_hz(parts: InspectorSources) -> dict[str, float]:
+def _expected_hz(parts: StateSources) -> dict[str, float]:
     """Expected rate of each stream that is on, according to the board's heartbeat or else to our own requests."""
     heartbeat = parts.telemetry.newest("heartbeat") or {}
     wanted = parts.memory.now.wanted.streams

@@ -2,46 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from epf_gcs.clock import Clock
 from epf_gcs.contract.status import BoardStatus, Failure, HilState, RecordingState, SimulatorStatus, Status, StickState
-from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.board.ahrs_test import AhrsTestRun
-from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.hil.hil import Hil
-from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
-from epf_gcs.flight.memory.memory import Memory
+from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S
 from epf_gcs.flight.recording.recorder import Recorder
-from epf_gcs.flight.state.line_rates import LineRates
-from epf_gcs.flight.state.lines import Lines
-from epf_gcs.vehicle.alarms import Alarms
-from epf_gcs.vehicle.board import Board
+from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.vehicle.board_facts import features_of, firmware_of, percent, periods_of
-from epf_gcs.vehicle.telemetry import Telemetry
 
 
-@dataclass(frozen=True, slots=True)
-class StatusSources:
-    """The parts whose state is shown."""
-
-    clock: Clock
-    errors: ErrorLog
-    memory: Memory
-    board: Board
-    telemetry: Telemetry
-    supervisor: Supervisor
-    lines: Lines
-    simulator: Simulator
-    hil: Hil
-    rates: LineRates
-    ahrs_test: AhrsTestRun
-    recorder: Recorder | None
-    alarms: Alarms
-
-
-def build_status(parts: StatusSources) -> Status:
+def build_status(parts: StateSources) -> Status:
     """What the flight process knows of it; the web process adds version, control, surroundings and viewers."""
     return Status(
         server_time_s=parts.clock.now_s(),
@@ -72,7 +42,7 @@ def hil_state(hil: Hil) -> HilState:
     )
 
 
-def _board(parts: StatusSources) -> BoardStatus:
+def _board(parts: StateSources) -> BoardStatus:
     board, supervisor = parts.board, parts.supervisor
     capabilities = board.capabilities()
     bytes_per_s = board.baud / 10.0
@@ -99,7 +69,7 @@ def _board(parts: StatusSources) -> BoardStatus:
     )
 
 
-def _simulator(parts: StatusSources) -> SimulatorStatus:
+def _simulator(parts: StateSources) -> SimulatorStatus:
     simulator, hil = parts.simulator, parts.hil
     address = simulator.address
     return SimulatorStatus(
@@ -127,7 +97,7 @@ def _simulator(parts: StatusSources) -> SimulatorStatus:
     )
 
 
-def _advice(parts: StatusSources) -> str | None:
+def _advice(parts: StateSources) -> str | None:
     """What the operator should do about a simulator that is not in the loop yet; None if unknown."""
     state, missing = parts.simulator.state, parts.hil.missing_rows
     address = parts.simulator.address

@@ -1,0 +1,214 @@
+"""The parts of the flight process in groups, each made by a function from the groups before it.
+
+common -> recording -> board -> loop (HIL and both lines) -> alarms
+"""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from epf_gcs import __version__
+from epf_gcs.contract.events import ErrorEvent
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.board.ahrs_test import AhrsTestRun
+from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.board.commands import Commands
+from epf_gcs.flight.board.journal import Journal
+from epf_gcs.flight.board.missions import Missions
+from epf_gcs.flight.board.parameters import Parameters
+from epf_gcs.flight.board.rearming import Rearmer
+from epf_gcs.flight.clock.line_clock import LineClock
+from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.hil.simulator import Simulator
+from epf_gcs.flight.hil.stick import Stick
+from epf_gcs.flight.memory.memory import Memory
+from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.recording.taps import line_taps
+from epf_gcs.flight.requests.client_names import ClientNames
+from epf_gcs.flight.requests.hil import HilSwitches
+from epf_gcs.flight.state.alarm_history import AlarmHistory
+from epf_gcs.flight.state.lines import Lines, LinkOpener
+from epf_gcs.flight.state.watch import Watch
+from epf_gcs.repeating import log_and_count_failures
+from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.surroundings import ToldSurroundings
+from epf_gcs.vehicle.vehicle import Vehicle
+
+
+class Owner(Protocol):
+    """The flight, as far as its parts call it."""
+
+    def changed(self) -> None:
+        """The status should be sent at once."""
+
+    def on_line(self) -> None:
+        """A line opened, was lost or closed."""
+
+    def on_ahrs_test(self) -> None:
+        """The AHRS test began or ended."""
+
+    def may_wait(self) -> bool:
+        """Whether neither the HIL loop nor a station needs the board's bytes as they come."""
+
+    def flies(self) -> bool:
+        """Whether the board flies something, and must keep hearing commands."""
+
+
+@dataclass(frozen=True, slots=True)
+class Common:
+    """What every other part uses."""
+
+    folder: Path
+    clock: LineClock
+    outlet: NotedBroadcast
+    errors: ErrorLog
+    memory: Memory
+    client_names: ClientNames
+
+
+def make_common(folder: Path) -> Common:
+    """`folder`: of the station's data. Called on the running loop, whose failures it counts from now on."""
+    clock = LineClock()
+    outlet = NotedBroadcast(clock)
+    errors = ErrorLog()
+    log_and_count_failures(asyncio.get_running_loop(), "flight", lambda: errors.count("internal"))
+    errors.tell_viewers(clock.steady_s, lambda *told: outlet.event(ErrorEvent.of(*told)))
+    return Common(folder, clock, outlet, errors, Memory(folder / "state.json", errors.report), ClientNames())
+
+
+@dataclass(frozen=True, slots=True)
+class BoardParts:
+    """The board as it is known, recorded before it is decoded, and what can be asked of it."""
+
+    recorder: Recorder | None
+    notes: FlightNotes
+    vehicle: Vehicle
+    commands: Commands
+    journal: Journal
+    parameters: Parameters
+    missions: Missions
+    rearming: Rearmer
+
+
+def make_board(common: Common, recorder: Recorder | None, owner: Owner) -> BoardParts:
+    """`recorder` None: nothing is recorded."""
+    memory, outlet = common.memory, common.outlet
+    period_s = lambda rate: memory.now.wanted.period_s(rate)  # noqa: E731, PLW0108 (`now` is replaced)
+    vehicle = Vehicle(common.clock, outlet, common.errors, period_s)
+    board = vehicle.board
+    commands = Commands(board, vehicle.telemetry, outlet, common.clock, common.errors)
+    journal = Journal(
+        common.folder / "parameter-journal.jsonl",
+        clock=common.clock,
+        outlet=outlet,
+        report=common.errors.report,
+        name_of=common.client_names.name_of,
+    )
+    rearming = Rearmer(
+        board=board,
+        commands=commands,
+        telemetry=vehicle.telemetry,
+        memory=memory,
+        errors=common.errors,
+        on_change=owner.changed,
+    )
+    parameters = Parameters(board, commands, outlet, journal)
+    missions = Missions(board, commands, outlet)
+    notes = FlightNotes(recorder, common.clock)
+    return BoardParts(recorder, notes, vehicle, commands, journal, parameters, missions, rearming)
+
+
+def make_recorder(common: Common) -> Recorder:
+    """Writes every byte of both lines, before anybody decodes it."""
+    return Recorder(common.folder / "recordings", common.clock, f"epf-gcs {__version__}")
+
+
+@dataclass(frozen=True, slots=True)
+class LoopParts:
+    """The loop with the simulator, and both lines."""
+
+    stick: Stick
+    hil: Hil
+    simulator: Simulator
+    supervisor: Supervisor
+    lines: Lines
+    switches: HilSwitches
+    ahrs_test: AhrsTestRun
+
+
+def make_loop(common: Common, parts: BoardParts, owner: Owner) -> LoopParts:
+    """The supervisor opens the board's line, `lines` both on request."""
+    clock, memory, report = common.clock, common.memory, common.errors.report
+    board, vehicle = parts.vehicle.board, parts.vehicle
+    board_tap, simulator_tap = parts.recorder.taps if parts.recorder else line_taps(clock, None)
+    stick = Stick(common.outlet, clock, owner.changed)
+    hil = Hil(vehicle, clock, stick)
+    hil.path = "assisted" if memory.now.hil_path == "assisted" else "manual"
+    simulator = Simulator(hil, clock, simulator_tap, report, owner.on_line)
+    opener = LinkOpener(hil, lambda: simulator.address is not None)
+    supervisor = Supervisor(board, clock, board_tap, report, owner.on_line, owner.may_wait, opener)
+    lines = Lines(
+        board=board,
+        supervisor=supervisor,
+        simulator=simulator,
+        hil=hil,
+        parameters=parts.parameters,
+        memory=memory,
+        recorder=parts.recorder,
+        on_change=owner.changed,
+    )
+    switches = HilSwitches(
+        board=board,
+        commands=parts.commands,
+        hil=hil,
+        memory=memory,
+        notes=parts.notes,
+        errors=common.errors,
+        on_change=owner.changed,
+    )
+    ahrs_test = AhrsTestRun(
+        vehicle=vehicle, clock=clock, errors=common.errors, flies=owner.flies, changed=owner.on_ahrs_test
+    )
+    return LoopParts(stick, hil, simulator, supervisor, lines, switches, ahrs_test)
+
+
+@dataclass(frozen=True, slots=True)
+class AlarmParts:
+    """What looks for faults, and what it found."""
+
+    watch: Watch
+    history: AlarmHistory
+    alarms: Alarms
+
+
+def make_alarms(common: Common, parts: BoardParts, loop: LoopParts) -> AlarmParts:
+    """The watch looks at all lines; the alarms ask it."""
+    memory = common.memory
+    watch = Watch(
+        supervisor=loop.supervisor,
+        board=parts.vehicle.board,
+        telemetry=parts.vehicle.telemetry,
+        parameters=parts.parameters,
+        simulator=loop.simulator,
+        hil=loop.hil,
+        recorder=parts.recorder,
+        steady_s=common.clock.steady_s,
+        wants=lambda stream: stream in memory.now.wanted.streams,
+        surroundings=ToldSurroundings(
+            memory.now.watched, lambda watched: memory.update(watched=watched), now_s=common.clock.steady_s()
+        ),
+    )
+    history = AlarmHistory(common.folder / "alarms.jsonl", common.errors.report)
+    alarms = Alarms(
+        watch,
+        common.outlet,
+        memory.now.thresholds,
+        lambda chosen: memory.update(thresholds=chosen),
+        past=history.past,
+        on_past=history.keep,
+    )
+    return AlarmParts(watch, history, alarms)
