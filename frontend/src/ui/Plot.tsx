@@ -1,19 +1,8 @@
 import { type Ref, useEffect, useImperativeHandle, useRef } from "react";
-import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
+import type uPlot from "uplot";
+import { drawnPlot, lineLook, unitAxes, unitsOf } from "./drawnPlot";
 import "./Plot.css";
-import { PLOT_DASHES, plotColour } from "./plotColours";
-import {
-  axisLook,
-  axisWidth,
-  type Look,
-  lookOf,
-  MOST_AXES,
-  roomy,
-  scaleOf,
-  sizeOf,
-  steady,
-} from "./plotLook";
+import { axisLook, type Look, roomy, scaleOf, steady } from "./plotLook";
 
 /** Times in seconds relative to now (zero or less), and each series' values; null is a gap. */
 export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
@@ -67,33 +56,21 @@ export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
     if (element === null) {
       return;
     }
-    let look = lookOf(element);
-    const made = new uPlot(
-      options({
-        series,
-        window_s,
-        secondsUnit,
-        size: sizeOf(element),
-        colour: (name) => look.colour(name),
-        fontSize_px: look.fontSize_px,
-        fontFamily: look.fontFamily,
-        onPoint: (index) => point.current?.(index),
-        marks: () => marked.current,
-      }),
-      aligned(fitting(newest.current, series.length)),
+    const made = drawnPlot(
       element,
+      (look) =>
+        options({
+          ...look,
+          series,
+          window_s,
+          secondsUnit,
+          onPoint: (index) => point.current?.(index),
+          marks: () => marked.current,
+        }),
+      aligned(fitting(newest.current, series.length)),
     );
-    plot.current = made;
-    const resized = new ResizeObserver(() => made.setSize(sizeOf(element)));
-    resized.observe(element);
-    const dressed = new MutationObserver(() => {
-      look = lookOf(element);
-      made.redraw(false, true);
-    });
-    dressed.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    plot.current = made.plot;
     return () => {
-      resized.disconnect();
-      dressed.disconnect();
       made.destroy();
       plot.current = null;
     };
@@ -129,17 +106,15 @@ interface PlotOptions extends Look {
   readonly series: readonly PlotSeries[];
   readonly window_s: number;
   readonly secondsUnit: string;
-  readonly size: { readonly width: number; readonly height: number };
   readonly onPoint: (index: number | null) => void;
   readonly marks: () => readonly PlotMark[];
 }
 
-function options(wanted: PlotOptions): uPlot.Options {
-  const { series, window_s, secondsUnit, size, colour, fontSize_px, onPoint, marks } = wanted;
-  const units = [...new Set(series.map(({ unit }) => unit))];
+function options(wanted: PlotOptions): Omit<uPlot.Options, "width" | "height"> {
+  const { series, window_s, secondsUnit, colour, fontSize_px, onPoint, marks } = wanted;
+  const units = unitsOf(series);
   const look = axisLook(wanted);
   return {
-    ...size,
     legend: { show: false },
     cursor: { drag: { x: false, y: false }, points: { size: 6 }, y: false },
     scales: {
@@ -152,25 +127,14 @@ function options(wanted: PlotOptions): uPlot.Options {
         size: 2 * fontSize_px,
         values: (_, splits) => splits.map((split) => `${split} ${secondsUnit}`),
       },
-      ...units.slice(0, MOST_AXES).map(
-        (unit, index): uPlot.Axis => ({
-          ...look,
-          scale: scaleOf(unit),
-          side: index % 2 === 0 ? 3 : 1,
-          size: (_, values) => axisWidth(values, fontSize_px),
-          ...(index === 0 ? {} : { grid: { show: false } }),
-          ...(unit === "" ? {} : { label: unit, labelSize: 1.5 * fontSize_px, labelGap: 0 }),
-        }),
-      ),
+      ...unitAxes(units, wanted, ""),
     ],
     series: [
       {},
       ...series.map(
         ({ unit }, index): uPlot.Series => ({
-          scale: scaleOf(unit),
-          stroke: () => colour(plotColour(index)),
+          ...lineLook(unit, index, wanted),
           width: 1.5,
-          dash: [...(PLOT_DASHES[index % PLOT_DASHES.length] ?? [])],
           points: { show: false },
         }),
       ),

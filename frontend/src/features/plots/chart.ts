@@ -1,8 +1,8 @@
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
 import type { Timers } from "../../lib/timers";
-import { PLOT_DASHES, plotColour } from "../../ui/plotColours";
-import { axisLook, axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "../../ui/plotLook";
+import { type DrawnPlot, drawnPlot, lineLook, unitAxes, unitsOf } from "../../ui/drawnPlot";
+import { plotColour } from "../../ui/plotColours";
+import { axisLook, type Look, roomy, scaleOf } from "../../ui/plotLook";
 import { ChartGestures, type ChartListener } from "./chartGestures";
 import type { PlotSeries } from "./drawn";
 import { formatAt, type Stretch } from "./plotView";
@@ -28,9 +28,9 @@ const ROUND_S = [
 
 /** One plot by uPlot: of each signal the least and the greatest value of each step, with the ground between them. */
 export class Chart {
+  readonly #drawn: DrawnPlot;
   readonly #plot: uPlot;
   readonly #moment: HTMLElement;
-  readonly #observers: ReadonlyArray<{ disconnect(): void }>;
   readonly #gestures: ChartGestures;
   readonly #count: number;
   #stretch: Stretch = { from_s: 0, to_s: 1 };
@@ -38,18 +38,12 @@ export class Chart {
 
   constructor(element: HTMLElement, lines: readonly ChartLine[], listener: ChartListener, timers: Timers) {
     this.#count = lines.length;
-    let look = lookOf(element);
-    const current: Look = {
-      colour: (name) => look.colour(name),
-      fontSize_px: look.fontSize_px,
-      fontFamily: look.fontFamily,
-    };
-    this.#plot = new uPlot(
-      {
-        ...sizeOf(element),
+    this.#drawn = drawnPlot(
+      element,
+      (look) => ({
         ...options(
           lines,
-          current,
+          look,
           listener,
           () => this.#stretch,
           () => this.#gestures.cancelClick(),
@@ -72,10 +66,10 @@ export class Chart {
           ],
           draw: [() => this.#placeMoment()],
         },
-      },
+      }),
       empty(lines.length),
-      element,
     );
+    this.#plot = this.#drawn.plot;
     this.#moment = document.createElement("div");
     this.#moment.className = "plots-moment";
     this.#moment.hidden = true;
@@ -86,14 +80,6 @@ export class Chart {
       listener,
       timers,
     });
-    const resized = new ResizeObserver(() => this.#plot.setSize(sizeOf(element)));
-    resized.observe(element);
-    const dressed = new MutationObserver(() => {
-      look = lookOf(element);
-      this.#plot.redraw(false, true);
-    });
-    dressed.observe(document.documentElement, { attributeFilter: ["data-theme"] });
-    this.#observers = [resized, dressed];
   }
 
   get canvas(): HTMLCanvasElement {
@@ -123,11 +109,8 @@ export class Chart {
   }
 
   destroy(): void {
-    for (const observer of this.#observers) {
-      observer.disconnect();
-    }
     this.#gestures.end();
-    this.#plot.destroy();
+    this.#drawn.destroy();
   }
 
   #placeMoment(): void {
@@ -164,7 +147,7 @@ function options(
   cancelClick: () => void,
 ): Omit<uPlot.Options, "width" | "height"> {
   const { colour, fontSize_px } = look;
-  const units = [...new Set(lines.map(({ unit }) => unit))];
+  const units = unitsOf(lines);
   const axis = axisLook(look);
   return {
     legend: { show: false },
@@ -200,28 +183,15 @@ function options(
           return splits.map((split) => formatAt(split, 4 * step_s));
         },
       },
-      ...units.slice(0, MOST_AXES).map(
-        (unit, index): uPlot.Axis => ({
-          ...axis,
-          scale: scaleOf(unit),
-          side: index % 2 === 0 ? 3 : 1,
-          size: (_, values) => axisWidth(values, fontSize_px),
-          ...(index === 0 ? {} : { grid: { show: false } }),
-          // Also without a unit, so that the charts below each other line up.
-          label: unit === "" ? " " : unit,
-          labelSize: 1.5 * fontSize_px,
-          labelGap: 0,
-        }),
-      ),
+      // A label also without a unit, so that the charts below each other line up.
+      ...unitAxes(units, look, " "),
     ],
     series: [
       {},
       ...lines.flatMap(({ unit, isOther }, index): uPlot.Series[] => {
         const edge: uPlot.Series = {
-          scale: scaleOf(unit),
-          stroke: () => colour(plotColour(index)),
+          ...lineLook(unit, index, look),
           width: isOther ? 1 : 1.5,
-          dash: [...(PLOT_DASHES[index % PLOT_DASHES.length] ?? [])],
         };
         return [
           { ...edge, points: { show: false } },
