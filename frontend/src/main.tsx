@@ -1,4 +1,6 @@
-import "./theme/index.css";
+import "./theme/fonts.css";
+import "./theme/tokens.css";
+import "./theme/base.css";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";

@@ -3,7 +3,7 @@ import { useTranslation } from "react-i18next";
 import { moment_s } from "../features/playback/playbackState";
 import { usePlayback } from "../features/playback/usePlayback";
 import { formatDateTime } from "../lib/moment";
-import type { Status } from "../protocol/status";
+import type { Status } from "../protocol/contract";
 import { useConnection } from "../store/hooks";
 
 /**

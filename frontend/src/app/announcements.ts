@@ -1,5 +1,5 @@
+import type { Status } from "../protocol/contract";
 import type { StreamEvent } from "../protocol/envelope";
-import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
 import { failureMessage, type Message } from "../store/messages";
 

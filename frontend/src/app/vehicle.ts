@@ -1,5 +1,5 @@
+import type { Status } from "../protocol/contract";
 import type { Hello, StreamMessage } from "../protocol/envelope";
-import type { Status } from "../protocol/status";
 import type { VehicleClock } from "../store/clock";
 import { type ConnectionStore, createConnection, type LinePhase } from "../store/connection";
 import { DamageRate } from "../store/damage";

@@ -1,5 +1,4 @@
-import { wrap360 } from "./angles";
-import { DEGREES_PER_RADIAN } from "./units";
+import { DEGREES_PER_RADIAN, wrap360 } from "./units";
 
 /**
  * Attitude of the airframe against local north-east-down, degrees: yaw clockwise from north seen from above, pitch nose

@@ -1,4 +1,4 @@
-import { wrap360 } from "./angles";
+import { wrap360 } from "./units";
 
 /**
  * A number as rounded text, with a decimal point in every language: the station's users know it so, and a coordinate

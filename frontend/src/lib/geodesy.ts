@@ -1,5 +1,4 @@
-import { wrap180, wrap360 } from "./angles";
-import { DEGREES_PER_RADIAN } from "./units";
+import { DEGREES_PER_RADIAN, wrap180, wrap360 } from "./units";
 
 /** A position: north and east are positive, degrees. */
 export interface Position {

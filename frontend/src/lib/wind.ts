@@ -1,6 +1,5 @@
-import { wrap360 } from "./angles";
 import { legsOf, type Waypoint } from "./plan";
-import { convertUnit, DEGREES_PER_RADIAN } from "./units";
+import { convertUnit, DEGREES_PER_RADIAN, wrap360 } from "./units";
 
 /** The wind as pilots say it: whence it blows, true, and how fast. */
 export interface Wind {

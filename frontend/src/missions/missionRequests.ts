@@ -1,8 +1,8 @@
 import type { Waypoint } from "../lib/plan";
+import type { Status } from "../protocol/contract";
 import type { StreamEvent } from "../protocol/envelope";
 import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
 import type { PlanName } from "../protocol/missions";
-import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
 import { createAsking, info, type RequesterParts } from "../requests/asking";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { MapThing } from "../lib/mapThing";
+import type { MapThing } from "../lib/aircraft";
 import { createSelection, selectRows, selectThing, toggleThing } from "./selection";
 
 function waypoint(row: number, plan: "flight" | "hil" = "hil"): MapThing {

@@ -1,6 +1,6 @@
 import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { MapThing } from "../lib/mapThing";
+import type { MapThing } from "../lib/aircraft";
 import { usePart } from "../store/hooks";
 import { partName } from "../store/parts";
 

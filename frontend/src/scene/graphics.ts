@@ -1,4 +1,4 @@
-import { tellTiming } from "../lib/timing";
+import { tellTiming } from "../lib/timers";
 
 /** Renderer names that mean "no graphics processor". */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { Status } from "../protocol/status";
+import type { Status } from "../protocol/contract";
 
 /** The page's connection to the gateway. `silent`: connected, but nothing came for a second. */
 export type LinePhase = "connecting" | "open" | "silent" | "waiting";

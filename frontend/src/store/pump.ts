@@ -1,6 +1,6 @@
-import type { AnimationFrames } from "../lib/animationFrames";
 import { GuardedCalls } from "../lib/guardedCalls";
 import { NUMBER_PERIOD_MS, Pace } from "../lib/pace";
+import type { AnimationFrames } from "../lib/timers";
 import { RedrawBudget } from "./paintBudget";
 
 /** `movement`: in each animation frame that the budget allows. `text`: ten times a second, as fast as anybody reads. */

@@ -1,4 +1,4 @@
-import type { Status } from "../protocol/status";
+import type { Status } from "../protocol/contract";
 import { aShape } from "./shapes";
 
 /** How a topic arrives as it should, with some parts changed. */

@@ -1,4 +1,4 @@
-import type { AnimationFrames } from "../lib/animationFrames";
+import type { AnimationFrames } from "../lib/timers";
 
 /** Animation frames under the test's control. */
 export class ManualAnimationFrames implements AnimationFrames {

@@ -1,4 +1,4 @@
-import type { Status } from "../protocol/status";
+import type { Status } from "../protocol/contract";
 import { FIELD_KINDS } from "../protocol/topics";
 import type { WireListener } from "../transport/socket";
 import { aStatus } from "./aStatus";

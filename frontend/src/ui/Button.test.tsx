@@ -2,8 +2,8 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { Button } from "./Button";
-import type { CommandState } from "./states";
 import { renderWithWords } from "./test/testWords";
+import type { CommandState } from "./words";
 
 test("a press by pointer or keyboard is one press", async () => {
   const onPress = vi.fn();

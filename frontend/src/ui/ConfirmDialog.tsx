@@ -1,7 +1,7 @@
 import { AlertDialog } from "@base-ui/react/alert-dialog";
 import { useRef } from "react";
 import { Button } from "./Button";
-import { focusNow } from "./focusNow";
+import { focusNow } from "./Dialog";
 import { useOpened } from "./openDialogs";
 import "./Dialog.css";
 

@@ -1,7 +1,6 @@
 import { Dialog as Base } from "@base-ui/react/dialog";
 import { X } from "lucide-react";
 import { type ReactNode, useRef, useState } from "react";
-import { focusNow } from "./focusNow";
 import { Notice } from "./Notice";
 import { useOpened } from "./openDialogs";
 import { RefusalProvider, useRefuse } from "./refusal";
@@ -76,4 +75,16 @@ export function Dialog(props: Props) {
       </Base.Portal>
     </Base.Root>
   );
+}
+
+/**
+ * Focus the first button in `place` as a dialog's first focus. The dialog by itself would do it with the next animation
+ * frame: a key that is pressed before that moves the focus of the page behind, is overtaken by the late focus, and the
+ * Enter after it presses another button than the user chose. Returns what `initialFocus` wants: true if there is no
+ * button.
+ */
+export function focusNow(place: HTMLElement | null): boolean {
+  const button = place?.querySelector("button") ?? null;
+  button?.focus();
+  return button === null;
 }

@@ -4,7 +4,7 @@ import { Check } from "lucide-react";
 import { createContext, type ReactNode, type RefObject, useContext, useId, useState } from "react";
 import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
-import type { CommandState } from "./states";
+import type { CommandState } from "./words";
 import { commandWord, useWords } from "./words";
 import "./MenuBar.css";
 

@@ -1,6 +1,6 @@
 import { type CSSProperties, type ReactNode, type Ref, useImperativeHandle, useRef } from "react";
 import { SteadyText, type SteadyTextHandle } from "./SteadyText";
-import type { DataState } from "./states";
+import type { DataState } from "./words";
 import "./Readout.css";
 import { useWords } from "./words";
 

@@ -1,8 +1,8 @@
 import { type ReactNode, useId } from "react";
 import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
-import type { CommandState } from "./states";
 import { Tooltip } from "./Tooltip";
+import type { CommandState } from "./words";
 import { commandWord, useWords } from "./words";
 import "./SegmentedSwitch.css";
 

@@ -1,7 +1,7 @@
 import { render } from "@testing-library/react";
 import { expect, test } from "vitest";
 import { StateMark } from "./StateMark";
-import type { CommandState } from "./states";
+import type { CommandState } from "./words";
 
 test("a resting command has no mark, every other state one of its own shape", () => {
   const states: CommandState[] = ["pending", "confirmed", "rejected", "timed_out", "sent"];

@@ -1,5 +1,5 @@
 import { Check, CircleAlert, Clock, LoaderCircle, Send } from "lucide-react";
-import type { CommandState } from "./states";
+import type { CommandState } from "./words";
 import "./StateMark.css";
 
 const ICONS = {

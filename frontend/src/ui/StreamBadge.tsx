@@ -1,5 +1,5 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
-import type { DataState } from "./states";
+import type { DataState } from "./words";
 import "./StreamBadge.css";
 import { dataWord, useWords } from "./words";
 

@@ -1,7 +1,7 @@
 import { type ReactNode, useId } from "react";
 import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
-import type { CommandState } from "./states";
+import type { CommandState } from "./words";
 import "./VerticalSlider.css";
 import { commandWord, useWords } from "./words";
 

@@ -1,7 +1,7 @@
 import { type KeyboardEvent, useState } from "react";
 import { parseNumber, stepped, twoReadings } from "./number";
 import { usePress } from "./refusal";
-import type { CommandState } from "./states";
+import type { CommandState } from "./words";
 import { useWords, type Words } from "./words";
 
 /** The value, its limits and what happens with an edit. */

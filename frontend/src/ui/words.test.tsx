@@ -1,8 +1,8 @@
 import { render, screen } from "@testing-library/react";
 import { expect, test, vi } from "vitest";
 import { StatusFlag } from "./StatusFlag";
-import type { CommandState, DataState } from "./states";
 import { WORDS } from "./test/testWords";
+import type { CommandState, DataState } from "./words";
 import { commandWord, dataWord, WordsProvider } from "./words";
 
 test("every state but rest has a word of its own", () => {

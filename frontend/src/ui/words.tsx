@@ -1,5 +1,10 @@
 import { createContext, type ReactNode, useContext } from "react";
-import type { CommandState, DataState } from "./states";
+
+/** Freshness of a value: received within three periods of its stream, older, or never received. */
+export type DataState = "live" | "stale" | "none";
+
+/** State of a request to the board. `sent`: it was sent, and nothing will ever prove its arrival. */
+export type CommandState = "idle" | "pending" | "confirmed" | "rejected" | "timed_out" | "sent";
 
 /** The few words of the controls themselves, in the page's language. */
 export interface Words {

@@ -5,9 +5,8 @@ import { pageName } from "../../requests/useControl";
 import { useAdmission } from "../../requests/useRole";
 import { useConnection, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import { Change } from "./ControlHolder";
+import { Change, useSecondsTo } from "./ControlHolder";
 import { NEW_VERSION } from "./newVersion";
-import { useSecondsTo } from "./useSecondsTo";
 
 /**
  * What everybody at the page must see above all tabs: that the door is open, who asks for control, a newer page. In the window's

@@ -4,11 +4,10 @@ import { ACTIONS, type ControlChange } from "../../requests/actions";
 import { useAsked } from "../../requests/useAsked";
 import { useOtherHolder } from "../../requests/useControl";
 import { useAdmission, useRoleBlocked } from "../../requests/useRole";
-import { useConnection, usePart } from "../../store/hooks";
+import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import "./control.css";
-import { useSecondsTo } from "./useSecondsTo";
 
 interface Props {
   /** Why nothing can be asked now. */
@@ -153,4 +152,12 @@ export function Change({ change, of = "control", blocked, variant, children }: C
       {children}
     </Button>
   );
+}
+
+/** Whole seconds until a moment of the station's clock, never below 0; 0 while one of the two is not known. */
+export function useSecondsTo(moment_s: number | null): number {
+  return useTelemetry((telemetry, now_ms) => {
+    const clock_s = telemetry.clock_s(now_ms);
+    return moment_s === null || clock_s === null ? 0 : Math.max(0, Math.ceil(moment_s - clock_s));
+  });
 }

@@ -1,7 +1,7 @@
 import { useCallback, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { wrap180 } from "../../lib/angles";
 import { formatFixed, formatHeading } from "../../lib/format";
+import { wrap180 } from "../../lib/units";
 import { Readouts } from "../../readouts/ReadoutTable";
 import { PITCH_ROLL, TURN_RATES, YAW } from "../../readouts/rows";
 import { usePage, usePart, useTelemetry } from "../../store/hooks";

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { boardHas, MISSIONS } from "../../missions/planDrafts";
-import type { Status } from "../../protocol/status";
+import type { Status } from "../../protocol/contract";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Alarm } from "../../protocol/status";
+import type { Alarm } from "../../protocol/contract";
 import { aStatus } from "../../test/aStatus";
 import { type EndedAlarm, endedAlarms } from "./endedAlarms";
 

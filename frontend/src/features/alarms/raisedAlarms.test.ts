@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Status } from "../../protocol/status";
+import type { Status } from "../../protocol/contract";
 import { type Connection, createConnection } from "../../store/connection";
 import { TelemetryStore } from "../../store/telemetry";
 import { aStatus, aTopic } from "../../test/aStatus";

@@ -1,5 +1,5 @@
+import type { Alarm } from "../../protocol/contract";
 import type { AircraftAround } from "../../protocol/guards.gen";
-import type { Alarm } from "../../protocol/status";
 import type { TopicName } from "../../protocol/topics";
 import type { Connection } from "../../store/connection";
 import { type Message, type MessageParams, wordsOf } from "../../store/messages";

@@ -1,7 +1,7 @@
 import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Status } from "../../protocol/status";
+import type { Status } from "../../protocol/contract";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { aPad } from "../../test/gamepads";
 import { Station } from "../../test/station";

@@ -1,6 +1,6 @@
 import { act, fireEvent, render, screen, within } from "@testing-library/react";
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Status } from "../../protocol/status";
+import type { Status } from "../../protocol/contract";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { Station } from "../../test/station";
 import { Dialog } from "../../ui/Dialog";

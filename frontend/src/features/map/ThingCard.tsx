@@ -1,10 +1,9 @@
 import { X } from "lucide-react";
 import { type ReactNode, useCallback, useEffect, useId } from "react";
 import { useTranslation } from "react-i18next";
-import type { Aircraft } from "../../lib/aircraft";
+import type { Aircraft, MapThing } from "../../lib/aircraft";
 import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m } from "../../lib/geodesy";
-import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
 import { SELECTION, selectThing, useMapThing } from "../../missions/selection";
 import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";

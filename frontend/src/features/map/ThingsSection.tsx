@@ -1,6 +1,6 @@
 import { House, Plane } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import type { MapThing } from "../../lib/mapThing";
+import type { MapThing } from "../../lib/aircraft";
 import { SELECTION, selectThing, useMapThing } from "../../missions/selection";
 import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";

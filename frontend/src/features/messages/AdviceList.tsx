@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import type { Advice } from "../../protocol/inspector";
+import type { Advice } from "../../protocol/contract";
 import { adviceMessage } from "../../store/advice";
 import { useIsPast } from "../../store/hooks";
 import { Notice } from "../../ui/Notice";

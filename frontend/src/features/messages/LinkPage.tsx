@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { formatFixed } from "../../lib/format";
-import type { Inspection } from "../../protocol/inspector";
+import type { Inspection } from "../../protocol/contract";
 import { Meter, type MeterHandle } from "../../ui/Meter";
 
 type Link = Inspection["link"];

@@ -1,7 +1,7 @@
 import { cleanup, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Inspection } from "../../protocol/inspector";
+import type { Inspection } from "../../protocol/contract";
 import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 

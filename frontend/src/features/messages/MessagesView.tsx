@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import type { Inspection } from "../../protocol/inspector";
+import type { Inspection } from "../../protocol/contract";
 import { LivePlot } from "../../readouts/LivePlot";
 import { useConnection, usePage, useSettings } from "../../store/hooks";
 import type { Message } from "../../store/messages";

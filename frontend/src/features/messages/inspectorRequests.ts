@@ -1,5 +1,5 @@
+import type { Inspection } from "../../protocol/contract";
 import { isInspector } from "../../protocol/guards.gen";
-import type { Inspection } from "../../protocol/inspector";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";

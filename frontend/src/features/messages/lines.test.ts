@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { InspectedFrame, InspectedRow } from "../../protocol/inspector";
+import type { InspectedFrame, InspectedRow } from "../../protocol/contract";
 import { frameLine, rowLine } from "./lines";
 
 const frame: InspectedFrame = {

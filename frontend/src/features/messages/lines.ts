@@ -1,5 +1,5 @@
 import { formatMeasured, WIRE_FIGURES } from "../../lib/format";
-import type { InspectedFrame, InspectedRow } from "../../protocol/inspector";
+import type { InspectedFrame, InspectedRow } from "../../protocol/contract";
 import type { XplaneProfile } from "../../protocol/messages.gen";
 import type { DataState } from "../../store/telemetry";
 import { fieldKey, fieldUnit, type PlotKeyText, rowKey, rowValue } from "./plotted";

@@ -1,5 +1,5 @@
 import { useEffect, useState } from "react";
-import type { Inspection } from "../../protocol/inspector";
+import type { Inspection } from "../../protocol/contract";
 import { usePage, usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { INSPECTOR } from "./inspectorRequests";

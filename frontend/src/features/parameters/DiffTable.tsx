@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import { StateMark } from "../../ui/StateMark";
-import type { CommandState } from "../../ui/states";
+import type { CommandState } from "../../ui/words";
 import type { ParameterFault } from "./parameterFile";
 import { useParameters } from "./parameterValues";
 

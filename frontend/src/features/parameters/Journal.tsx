@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatMoment } from "../../lib/moment";
-import type { JournalEntry } from "../../protocol/parameters";
+import type { JournalEntry } from "../../protocol/contract";
 import { useConnection } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";

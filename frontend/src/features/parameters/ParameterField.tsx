@@ -5,7 +5,7 @@ import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
 import { NumberField } from "../../ui/NumberField";
-import type { CommandState } from "../../ui/states";
+import type { CommandState } from "../../ui/words";
 import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
 

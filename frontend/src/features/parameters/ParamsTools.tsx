@@ -2,8 +2,8 @@ import { Download, FileDown, FolderOpen, Redo2, RotateCcw, Save, Undo2 } from "l
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../lib/moment";
+import type { ParameterMoves } from "../../protocol/contract";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
-import type { ParameterMoves } from "../../protocol/parameters";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import { useConnection, usePage, usePart } from "../../store/hooks";

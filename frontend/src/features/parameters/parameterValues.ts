@@ -1,8 +1,8 @@
 import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { Journal, JournalEntry, ParameterMoves } from "../../protocol/contract";
 import type { GainState } from "../../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
-import type { Journal, JournalEntry, ParameterMoves } from "../../protocol/parameters";
 import type { Asker } from "../../requests/asking";
 import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";

@@ -1,8 +1,8 @@
 import { Repeating } from "../../lib/repeating";
 import type { Timers } from "../../lib/timers";
+import type { Status } from "../../protocol/contract";
 import type { StreamEvent } from "../../protocol/envelope";
 import { isCommandOutcome } from "../../protocol/guards.gen";
-import type { Status } from "../../protocol/status";
 import { resultMessage } from "../../requests/actions";
 import type { Gateway } from "../../requests/asking";
 import type { Outcome } from "../../store/commands";

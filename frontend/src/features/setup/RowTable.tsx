@@ -1,12 +1,12 @@
 import { useCallback, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { formatAge, formatMeasured, WIRE_FIGURES } from "../../lib/format";
+import { XPLANE_ROWS } from "../../protocol/messages.gen";
 import { useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Panel } from "../../ui/Panel";
 import { SteadyText, type SteadyTextHandle } from "../../ui/SteadyText";
-import { useRowName } from "./useRowName";
 
 const VALUES = [0, 1, 2, 3, 4, 5, 6, 7] as const;
 
@@ -102,4 +102,14 @@ function Row({ row }: { row: number }) {
       </td>
     </tr>
   );
+}
+
+/** Names of X-Plane's rows by number; an unknown row has none. */
+const NAMES = new Map(XPLANE_ROWS.xp10.map(({ id, name }) => [id, name]));
+
+export function useRowName(row: number): string {
+  const { t, i18n } = useTranslation();
+  const name = NAMES.get(row);
+  const key = `simulatorRow.${name}`;
+  return name !== undefined && i18n.exists(key) ? t(key as "simulatorRow.speeds") : t("words.dash");
 }

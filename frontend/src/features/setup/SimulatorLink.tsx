@@ -17,7 +17,7 @@ import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { Facts } from "./Facts";
-import { useRowName } from "./useRowName";
+import { useRowName } from "./RowTable";
 
 const RECEIVE_PORT = 49003;
 const SEND_PORT = 49000;

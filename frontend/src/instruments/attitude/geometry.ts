@@ -1,4 +1,4 @@
-import { wrap360 } from "../../lib/angles";
+import { wrap360 } from "../../lib/units";
 import { digitsPath } from "../dial/digits";
 import { clamp, isDrawable, round, series, tickPath } from "../dial/scale";
 

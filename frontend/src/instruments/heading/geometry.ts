@@ -1,4 +1,4 @@
-import { wrap360 } from "../../lib/angles";
+import { wrap360 } from "../../lib/units";
 import { polar, round, series, tickPath } from "../dial/scale";
 
 /** The letters of the four cardinal points; the language is the caller's. */

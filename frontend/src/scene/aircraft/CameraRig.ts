@@ -8,8 +8,8 @@ import {
   Transforms,
 } from "@cesium/engine";
 import type { Aircraft } from "../../lib/aircraft";
-import { wrap180 } from "../../lib/angles";
 import type { CameraMode } from "../../lib/mapCamera";
+import { wrap180 } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
 import type { AircraftLayer, AircraftPose } from "./AircraftLayer";
 import { poseOf } from "./pose";

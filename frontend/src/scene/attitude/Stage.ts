@@ -1,5 +1,5 @@
 import type { PerspectiveCamera, Scene } from "three";
-import type { AnimationFrames } from "../../lib/animationFrames";
+import type { AnimationFrames } from "../../lib/timers";
 import { PictureBudget } from "../pictureBudget";
 import { stageLimits } from "./stageBudget";
 

@@ -1,6 +1,5 @@
-import type { Aircraft } from "../../lib/aircraft";
+import type { Aircraft, MapThing } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { MapThing } from "../../lib/mapThing";
 import { carried } from "../../lib/planEdit";
 import { nearest, type Point } from "../legs/geometry";
 import { legAt } from "../legs/legHit";

@@ -1,5 +1,5 @@
+import type { PickedAirfield } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { PickedAirfield } from "../../lib/mapThing";
 import type { TrackPoints } from "../../lib/track/trackPoints";
 import { AREA } from "../colours";
 import type { CompassLetters } from "../globe/chart/graticule";

@@ -10,7 +10,7 @@ import {
   type Scene,
 } from "@cesium/engine";
 import { GuardedCalls } from "../../lib/guardedCalls";
-import { tellTiming } from "../../lib/timing";
+import { tellTiming } from "../../lib/timers";
 import { CopiedPicture } from "../CopiedPicture";
 import { drawsInSoftware, PictureCost } from "../graphics";
 import { PictureBudget } from "../pictureBudget";

@@ -1,5 +1,5 @@
+import type { MapThing } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { MapThing } from "../../lib/mapThing";
 import type { Spot } from "./geometry";
 import type { LegPlace } from "./legHit";
 

@@ -5,8 +5,8 @@ import {
   Math as CesiumMath,
   EllipsoidTerrainProvider,
 } from "@cesium/engine";
+import type { PickedAirfield } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { PickedAirfield } from "../../lib/mapThing";
 import { type CompassLetters, nameAngles } from "../globe/chart/graticule";
 import type { Globe } from "../globe/Globe";
 import type { Projector } from "../globe/Projector";

@@ -1,7 +1,6 @@
 import { Cartesian3 } from "@cesium/engine";
-import type { Aircraft } from "../../lib/aircraft";
+import type { Aircraft, MapThing } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { MapThing } from "../../lib/mapThing";
 import { carried } from "../../lib/planEdit";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";

@@ -1,7 +1,6 @@
 import { BoundingSphere, Cartesian3, Cartesian4, type PictureState } from "@cesium/engine";
 import { Repeating } from "../../lib/repeating";
-import { BROWSER_TIMERS } from "../../lib/timers";
-import { tellTiming } from "../../lib/timing";
+import { BROWSER_TIMERS, tellTiming } from "../../lib/timers";
 import { METRES_PER_UNIT } from "../../lib/track/block";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
 import type { WeightedBlock } from "../../lib/track/thinning";

@@ -3,7 +3,7 @@ import { type ReactNode, useCallback, useEffect, useRef, useState } from "react"
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import type { Position } from "../../../lib/geodesy";
-import { roundLength } from "../../../lib/scaleBar";
+import { roundLength } from "../../../lib/units";
 import { coordinate } from "../../../readouts/formats";
 import { useUnit } from "../../../readouts/useUnit";
 import type { FlatScene } from "../../../scene/flat/FlatScene";

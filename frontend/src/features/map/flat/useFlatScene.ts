@@ -1,6 +1,6 @@
 import { type RefObject, useEffect, useRef, useState } from "react";
+import type { PickedAirfield } from "../../../lib/aircraft";
 import type { Position } from "../../../lib/geodesy";
-import type { PickedAirfield } from "../../../lib/mapThing";
 import { FlatScene } from "../../../scene/flat/FlatScene";
 import { metresPerPixel } from "../../../scene/flat/projection";
 import { keptWorld } from "../../../scene/world/World";

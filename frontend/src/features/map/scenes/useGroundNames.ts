@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
-import type { PickedAirfield } from "../../../lib/mapThing";
+import type { PickedAirfield } from "../../../lib/aircraft";
 import { SELECTION, selectThing } from "../../../missions/selection";
 import type { Light } from "../../../scene/look";
 import { type CountryNames, countryNames } from "../../../scene/names/thingTexts";

@@ -1,7 +1,7 @@
 import { AIRCRAFT, type Aircraft } from "../../../lib/aircraft";
 import { Polling } from "../../../lib/repeating";
 import type { Timers } from "../../../lib/timers";
-import { tellTiming } from "../../../lib/timing";
+import { tellTiming } from "../../../lib/timers";
 import type { StreamEvent } from "../../../protocol/envelope";
 import { isTrackState } from "../../../protocol/guards.gen";
 import { readTrackPiece } from "../../../protocol/track";

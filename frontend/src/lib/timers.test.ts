@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { tellTiming } from "./timing";
+import { tellTiming } from "./timers";
 
 test("who listens hears how long it took, and nothing is kept", async () => {
   const heard = new Promise<PerformanceEntry[]>((resolve) => {
