@@ -120,12 +120,14 @@ docs-archive: docs
 release: $(DONE)/venv-publish frontend/dist/index.html ## all files of a release in dist/release, with checksums and notes; TAG=v1.2.3 holds it against the version. Red where one is missing
 	@$(BIN)/python .ci/release.py . dist/release $(TAG)
 
-check-workflows: $(DONE)/venv-publish ## what the forge reads (workflows, updates, forms) against its schemas, and for what an attacker could use
+check-workflows: $(DONE)/venv-publish ## what the forge and the container engine read (workflows, updates, forms, compose files) against their schemas, and for what an attacker could use
 	@$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 	@$(BIN)/check-jsonschema --builtin-schema custom.github-workflows-require-timeout .github/workflows/*.yml
 	@$(BIN)/check-jsonschema --builtin-schema vendor.dependabot .github/dependabot.yml
 	@$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
 	@$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-forms .github/ISSUE_TEMPLATE/[!c]*.yml
+	@for file in docker-compose*.yml; do sed 's/!override//' $$file | \
+	  $(BIN)/check-jsonschema --builtin-schema vendor.compose-spec --default-filetype yaml - || exit 1; done
 	@$(BIN)/zizmor --offline --quiet .github
 
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, and LM3S6965 in QEMU)
