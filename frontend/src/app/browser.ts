@@ -4,8 +4,8 @@ import { BROWSER_TIMERS } from "../lib/timers";
 import type { BrowserStorage } from "../store/settings";
 import type { UploadInit } from "../transport/rest";
 import type { Wire, WireListener } from "../transport/socket";
-import type { World } from "./page";
 import { browserVersions } from "./pageVersion";
+import type { World } from "./world";
 
 /** How often the page is painted at most, in hertz. */
 const RATE_HZ = 60;

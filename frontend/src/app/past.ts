@@ -17,7 +17,6 @@ import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
 import { createBoardConsole } from "../features/setup/consoleRequests";
-import type { Timers } from "../lib/timers";
 import { createPastPlans } from "../missions/pastPlans";
 import { MISSIONS } from "../missions/planDrafts";
 import { createSelection, SELECTION } from "../missions/selection";
@@ -29,21 +28,12 @@ import { FlightClock } from "../store/clock";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
 import { partName } from "../store/parts";
-import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
+import { StreamSocket } from "../transport/socket";
+import type { Core } from "./core";
 import { createVehicle, type Vehicle } from "./vehicle";
 
 /** The page that the tabs read: the present one, or that of the past. */
 export const SHOWN = partName<StoreApi<{ readonly page: Page }>>("shown page");
-
-interface PastParts {
-  readonly present: Page;
-  readonly asking: RequesterParts;
-  readonly timers: Timers;
-  readonly playback: Playback;
-  readonly dial: (place: PlaceInTime, listener: WireListener) => Wire;
-  readonly onMalformed: () => void;
-  readonly report: (error: unknown) => void;
-}
 
 export interface Pasts {
   readonly shown: StoreApi<{ readonly page: Page }>;
@@ -58,21 +48,20 @@ export interface Pasts {
  * read the one that is shown, so a value of theirs comes from one of the two and never from both; the present one
  * goes on all the time, and is shown again as it is.
  */
-export function createPasts(parts: PastParts): Pasts {
-  const { present } = parts;
+export function createPasts(core: Core, present: Page, playback: Playback): Pasts {
   const shown = createStore<{ readonly page: Page }>(() => ({ page: present }));
   let seen: Vehicle | null = null;
   let revision = 0;
   let made_count = 0;
 
   function open(place: () => PlaceInTime, listener: FlightListener): FlightStream {
-    const questions = createStreamQuestions((text) => socket.ask(text), parts.timers);
-    const made = createPast(parts, place, questions.ask, ++made_count);
+    const questions = createStreamQuestions((text) => socket.ask(text), core.timers);
+    const made = createPast({ core, present, playback }, place, questions.ask, ++made_count);
     const { vehicle } = made;
     const socket: StreamSocket = new StreamSocket({
-      dial: (wire) => parts.dial(place(), wire),
-      timers: parts.timers,
-      wall_ms: parts.asking.wall_ms,
+      dial: (wire) => core.world.dialFlight(place(), wire),
+      timers: core.timers,
+      wall_ms: core.wall_ms,
       onMessage: (message, at_ms) => {
         made.take(message, at_ms);
         if (message.type === "hello" && message.flight !== null) {
@@ -90,8 +79,8 @@ export function createPasts(parts: PastParts): Pasts {
         }
         listener.onLine(kind === "open");
       },
-      onMalformed: parts.onMalformed,
-      report: parts.report,
+      onMalformed: core.malformed,
+      report: core.fail,
     });
     seen = vehicle;
     shown.setState({ page: made.page });
@@ -123,16 +112,16 @@ interface Past {
 }
 
 function createPast(
-  { present, asking, timers, playback, report }: PastParts,
+  { core, present, playback }: { readonly core: Core; readonly present: Page; readonly playback: Playback },
   place: () => PlaceInTime,
   ask: AskReplay,
   key: number,
 ): Past {
-  const { rest } = asking;
+  const { rest, timers, fail: report } = core;
   const vehicle = createVehicle(new FlightClock());
   const client = (): string | null => present.connection.getState().client;
-  const moment_ms = (): number => (vehicle.telemetry.clock_s(asking.now_ms()) ?? 0) * 1000;
-  const pastAsking: RequesterParts = { ...asking, commands: createCommands() };
+  const moment_ms = (): number => (vehicle.telemetry.clock_s(core.now_ms()) ?? 0) * 1000;
+  const pastAsking: RequesterParts = { ...core, commands: createCommands() };
   const servos = createServoSliders({ rest, timers, client, tell: () => undefined });
   const console_ = createBoardConsole({ rest, wall_ms: moment_ms });
   const known = createKnownAt(ask, timers, report);
