@@ -228,6 +228,10 @@ class GatewayError(Exception):
         self.detail = detail
         self.params: Params = params
 
+    def as_dict(self) -> dict[str, object]:
+        """Its three parts, as other processes and files have them."""
+        return {"code": self.code, "detail": self.detail, "params": self.params}
+
 
 class InvalidInputError(GatewayError):
     """What was asked for can never be done as asked: out of range, misspelt, of the wrong shape."""

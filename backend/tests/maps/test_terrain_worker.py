@@ -136,4 +136,5 @@ def test_the_process_tells_its_percents_or_its_problem(tmp_path: Path) -> None:
     code, messages = run("a.tif")
     assert (code, messages[0]) == (0, {"percent": 0})
     code, messages = run("b.tif")
-    assert (code, messages[-1]["code"], messages[-1]["params"]["name"]) == (1, "map_file_damaged", "b.tif")
+    fault = messages[-1]["fault"]
+    assert (code, fault["code"], fault["params"]["name"]) == (1, "map_file_damaged", "b.tif")

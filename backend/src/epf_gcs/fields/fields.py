@@ -24,6 +24,7 @@ from epf_gcs.maps.files import id_of, safe_name
 from epf_gcs.maps.folder import exists
 from epf_gcs.maps.maps import Maps
 from epf_gcs.workers.child import child
+from epf_gcs.workers.lines import hear_lines
 
 FOLDER: Final = ".fields"
 
@@ -241,19 +242,13 @@ class Fields:
         started: Callable[[asyncio.subprocess.Process], None],
     ) -> GatewayError | None:
         """Run a worker to its end; the problem that it told. Raises OSError."""
-        problem: GatewayError | None = None
         pipe = asyncio.subprocess.PIPE
         async with child(sys.executable, "-m", _WORKER, stdin=pipe, stdout=pipe) as process:
             started(process)
-            if process.stdin is not None and process.stdout is not None:
+            if process.stdin is not None:
                 # Stdin stays open: the worker ends when the station does, however that ends.
                 process.stdin.write(orjson.dumps(asked) + b"\n")
-                async for line in process.stdout:
-                    told = orjson.loads(line)
-                    if "code" in told:
-                        problem = ConflictError(told["code"], told["detail"], **told["params"])
-                    else:
-                        hear(told)
+            problem = await hear_lines(process, hear, ConflictError)
             await process.wait()
         return problem
 

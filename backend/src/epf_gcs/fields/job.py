@@ -99,9 +99,7 @@ class FieldJob:
         kept = {
             "state": self.state,
             "progress": {**self.progress, "waits_for": None, "waits_s": None},
-            "problem": None
-            if problem is None
-            else {"code": problem.code, "detail": problem.detail, "params": problem.params},
+            "problem": None if problem is None else problem.as_dict(),
         }
         replace_file(self.folder / STATE, orjson.dumps(kept))
 

@@ -82,9 +82,7 @@ class Progress:
                 "left_s": round(left * took_s / coming) if coming > 0 else None,
                 "retries": self._retries,
                 "waits_s": None if problem is None else max(0.0, round(self._wait_until_s - at_s, 1)),
-                "waits_for": None
-                if problem is None
-                else {"code": problem.code, "detail": problem.detail, "params": problem.params},
+                "waits_for": None if problem is None else problem.as_dict(),
             }
         )
 

@@ -34,6 +34,7 @@ from epf_gcs.maps.imports import RESERVE_BYTES
 from epf_gcs.maps.outside import Consent, OutsideTransport
 from epf_gcs.system.limits import limit_memory
 from epf_gcs.system.priority import be_nice
+from epf_gcs.workers.lines import tell, tell_fault
 
 ORDER: Final = "order.json"
 ARRIVED: Final = "arrived.sqlite"
@@ -54,12 +55,12 @@ def main() -> int:
     threading.Thread(target=_end_with_the_station, daemon=True).start()
     try:
         if asked["do"] == "prove":
-            _say({"done": prove(Path(asked["path"]), asked["name"])._asdict()})
+            tell({"done": prove(Path(asked["path"]), asked["name"])._asdict()})
         else:
-            prepare(Path(asked["folder"]), Consent(asked["servers"]), Pace(), _say)
-            _say({"done": {}})
+            prepare(Path(asked["folder"]), Consent(asked["servers"]), Pace(), tell)
+            tell({"done": {}})
     except GatewayError as error:
-        _say({"code": error.code, "detail": error.detail, "params": error.params})
+        tell_fault(error)
         return 1
     return 0
 
@@ -255,11 +256,6 @@ def _nothing_there(part: Part) -> GatewayError:
         f"'{part.name}' has nothing of this area: choose another source, or another level.",
         name=part.name,
     )
-
-
-def _say(message: dict[str, Any]) -> None:
-    sys.stdout.buffer.write(orjson.dumps(message) + b"\n")
-    sys.stdout.buffer.flush()
 
 
 def _end_with_the_station() -> None:

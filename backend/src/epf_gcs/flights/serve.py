@@ -98,7 +98,7 @@ def serve(flights: Flights, requests: BinaryIO, replies: BinaryIO) -> None:
         try:
             body = flights.answer(message[0])
         except GatewayError as error:
-            head = {"code": error.code, "detail": error.detail, "params": error.params}
+            head = error.as_dict()
         except (OSError, ValueError, ArithmeticError, LookupError, TypeError, AttributeError) as error:
             # A stranger's recording may hold notes of any shape: none may end this program.
             why = getattr(error, "strerror", None) or str(error) or type(error).__name__

@@ -9,16 +9,14 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
-import sys
 import threading
 from collections.abc import Callable
 from typing import Any, Final
 
-import orjson
-
 from epf_gcs.errors import GatewayError
 from epf_gcs.system.limits import limit_memory, limit_time
 from epf_gcs.system.priority import WAITED_FOR, be_nice, read_last
+from epf_gcs.workers.lines import tell, tell_fault
 
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _MOST_CPU_S: Final = 3600
@@ -60,16 +58,15 @@ def work(run: Run, arguments: list[str]) -> int:
     be_modest()
     end_with_parent()
     try:
-        _write({"done": run(arguments, say)})
+        tell({"done": run(arguments, say)})
     except GatewayError as error:
-        _write({"fault": {"code": error.code, "detail": error.detail, "params": error.params}})
+        tell_fault(error)
     except MemoryError:
-        fault = GatewayError("job_failed", "It needs more memory than a flight may take.", why="memory")
-        _write({"fault": {"code": fault.code, "detail": fault.detail, "params": fault.params}})
+        tell_fault(GatewayError("job_failed", "It needs more memory than a flight may take.", why="memory"))
     except OSError as error:
         why = error.strerror or str(error)
         detail = f"The flights' folder could not be changed ({why}): free the disk or correct its permissions."
-        _write({"fault": {"code": "flight_not_written", "detail": detail, "params": {"why": why}}})
+        tell_fault(GatewayError("flight_not_written", detail, why=why))
     except Cancellation:
         return 128 + signal.SIGTERM
     else:
@@ -79,12 +76,7 @@ def work(run: Run, arguments: list[str]) -> int:
 
 def say(progress: float, doing: str) -> None:
     """Say how far the work is: 0 to 1, and a stable word for the step."""
-    _write({"progress": round(min(1.0, max(0.0, progress)), 4), "doing": doing})
-
-
-def _write(message: dict[str, Any]) -> None:
-    sys.stdout.buffer.write(orjson.dumps(message, option=orjson.OPT_SERIALIZE_NUMPY) + b"\n")
-    sys.stdout.buffer.flush()
+    tell({"progress": round(min(1.0, max(0.0, progress)), 4), "doing": doing})
 
 
 def _cancel(_number: int, _frame: object) -> None:

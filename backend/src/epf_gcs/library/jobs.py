@@ -11,16 +11,17 @@ import secrets
 import sys
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, Final, Literal
 
-import orjson
 import structlog
 
 from epf_gcs.contract.events import Say
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.extras import FLIGHTS
 from epf_gcs.workers.child import child
+from epf_gcs.workers.lines import hear_lines
 from epf_gcs.workers.missing import require
 
 JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
@@ -77,7 +78,7 @@ class Job:
             "state": self.state,
             "progress": self.progress,
             "doing": self.doing,
-            "fault": None if fault is None else {"code": fault.code, "detail": fault.detail, "params": fault.params},
+            "fault": None if fault is None else fault.as_dict(),
             "result": {"name": self.result_name, "bytes": self.result.stat().st_size}
             if is_there and self.result is not None
             else None,
@@ -202,9 +203,7 @@ class Jobs:
             stdout=asyncio.subprocess.PIPE,
             limit=_LONGEST_LINE,
         ) as process:
-            if process.stdout is not None:
-                async for line in process.stdout:
-                    self._heard(job, orjson.loads(line))
+            job.fault = await hear_lines(process, partial(self._heard, job))
             code = await process.wait()
             if job.fault is None and (code != 0 or not job.answer):
                 log.error("a job failed", kind=job.kind, flight=job.flight, code=code)
@@ -213,9 +212,6 @@ class Jobs:
     def _heard(self, job: Job, message: dict[str, Any]) -> None:
         if "done" in message:
             job.answer = {"is_done": True, **message["done"]}
-        elif "fault" in message:
-            fault = message["fault"]
-            job.fault = GatewayError(fault["code"], fault["detail"], **fault["params"])
         else:
             job.progress, job.doing = float(message["progress"]), str(message["doing"])
             if self._loop.time() - self._told_s.get(job.id, 0.0) >= _TELL_EVERY_S:

@@ -199,7 +199,7 @@ class Library:
         """The same for a flight's content as it is now."""
         row = self.get(flight)
         if row is not None:
-            self.failed(flight, row.stamp, {"code": why.code, "detail": why.detail, "params": why.params})
+            self.failed(flight, row.stamp, why.as_dict())
 
     def forget(self, flight: str) -> None:
         """Forget what is known of a flight, so that it is looked at anew."""

@@ -72,10 +72,10 @@ def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], b
                     tile = source.tile(*asked["place"])
                 return ({}, b"") if tile is None else (_head(tile), tile.data)
     except GatewayError as error:
-        return {"code": error.code, "detail": error.detail, "params": error.params}, b""
+        return error.as_dict(), b""
     except (OSError, ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:
         fault = faults.damaged(asked.get("name", path.name), str(error) or type(error).__name__)
-        return {"code": fault.code, "detail": fault.detail, "params": fault.params}, b""
+        return fault.as_dict(), b""
 
 
 def _key(path: Path, form: str) -> str:

@@ -6,9 +6,9 @@ import asyncio
 import contextlib
 import sys
 from collections.abc import Awaitable, Callable
+from functools import partial
 from typing import Any, Final, Protocol, TypeVar
 
-import orjson
 import structlog
 
 from epf_gcs.errors import GatewayError, InvalidInputError
@@ -18,6 +18,7 @@ from epf_gcs.maps.files import MapFile
 from epf_gcs.maps.folder import MapFolder
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.workers.child import child
+from epf_gcs.workers.lines import hear_lines
 from epf_gcs.workers.missing import missing
 
 _WORKER: Final = "epf_gcs.maps.terrain_worker"
@@ -99,14 +100,11 @@ class TerrainJobs:
 
     async def _work(self, file: MapFile, arguments: list[str]) -> GatewayError | None:
         """Run the worker; None if it succeeded."""
-        problem: GatewayError | None = None
         nowhere, pipe = asyncio.subprocess.DEVNULL, asyncio.subprocess.PIPE
         async with child(sys.executable, "-m", _WORKER, *arguments, stdin=nowhere, stdout=pipe) as process:
             self._current = (file.id, process)
             try:
-                if process.stdout is not None:
-                    async for line in process.stdout:
-                        problem = self._heard(file, orjson.loads(line)) or problem
+                problem = await hear_lines(process, partial(self._heard, file), InvalidInputError)
                 code = await process.wait()
             finally:
                 self._current = None
@@ -115,13 +113,9 @@ class TerrainJobs:
             problem = faults.not_converted(file.path.name, f"{code}")
         return problem
 
-    def _heard(self, file: MapFile, message: dict[str, Any]) -> GatewayError | None:
-        percent = message.get("percent")
-        if percent is None:
-            return InvalidInputError(message["code"], message["detail"], **message["params"])
-        self._percent[file.id] = int(percent)
-        self.told(file, int(percent))
-        return None
+    def _heard(self, file: MapFile, message: dict[str, Any]) -> None:
+        percent = self._percent[file.id] = int(message["percent"])
+        self.told(file, percent)
 
     def _problem_of(self, file: MapFile) -> GatewayError:
         failed = self._failed.get((file.id, file.stamp))

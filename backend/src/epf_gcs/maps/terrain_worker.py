@@ -16,14 +16,13 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-import orjson
-
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
 from epf_gcs.maps import faults
 from epf_gcs.maps.layer import Bounds
 from epf_gcs.system.limits import limit_memory, limit_time
 from epf_gcs.system.priority import be_nice
+from epf_gcs.workers.lines import tell, tell_fault
 
 if TYPE_CHECKING:
     from epf_gcs.maps.heights import Heights
@@ -47,12 +46,12 @@ def main(arguments: list[str]) -> int:
         import epf_gcs.maps.heights  # noqa: F401, PLC0415 - here for its failure alone
     except ImportError as error:
         problem = faults.not_converted(name, str(error))
-        _say({"code": problem.code, "detail": problem.detail, "params": problem.params})
+        tell_fault(problem)
         return 1
     try:
-        convert(Path(raster), Path(target), name, inside or None, lambda percent: _say({"percent": percent}))
+        convert(Path(raster), Path(target), name, inside or None, lambda percent: tell({"percent": percent}))
     except GatewayError as error:
-        _say({"code": error.code, "detail": error.detail, "params": error.params})
+        tell_fault(error)
         return 1
     return 0
 
@@ -141,11 +140,6 @@ def _be_modest() -> None:
     be_nice(_NICE)
     limit_memory(_MOST_MEMORY_BYTES)
     limit_time(_MOST_CPU_S)
-
-
-def _say(message: dict[str, object]) -> None:
-    sys.stdout.buffer.write(orjson.dumps(message) + b"\n")
-    sys.stdout.buffer.flush()
 
 
 if __name__ == "__main__":

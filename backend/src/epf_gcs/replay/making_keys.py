@@ -5,17 +5,15 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
-import sys
 import threading
 from pathlib import Path
-from typing import Any, Final
-
-import orjson
+from typing import Final
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.timeline import Timeline
+from epf_gcs.workers.lines import tell, tell_fault
 
 _STEP: Final = 0.01
 
@@ -30,11 +28,11 @@ def make_keys(recording: Path, file: Path) -> int:
         signal.signal(name, signal.SIG_DFL)
     threading.Thread(target=_wait_for_parent, name="parent", daemon=True).start()
     try:
-        _say({"done": {"bytes": _make(recording, file)}})
+        tell({"done": {"bytes": _make(recording, file)}})
     except (GatewayError, OSError) as error:
         # The recording was indexed before: if it cannot be read now, whoever opens it is told so.
         why = error.detail if isinstance(error, GatewayError) else str(error)
-        _say({"fault": {"code": "job_failed", "detail": why, "params": {"why": why}}})
+        tell_fault(GatewayError("job_failed", why, why=why))
         return 1
     return 0
 
@@ -47,23 +45,18 @@ def _make(recording: Path, file: Path) -> int:
     keys = Keys(file, recording.stem, starts_ns)
     try:
         scout, told = Scout(timeline, keys), 0.0
-        _say({"progress": 0.0, "doing": "keys"})
+        tell({"progress": 0.0, "doing": "keys"})
         while scout.has_work:
             scout.work()
             share = ((keys.latest_ns or starts_ns) - starts_ns) / max(1, timeline.edge_ns - starts_ns)
             if share - told >= _STEP:
                 told = share
-                _say({"progress": share, "doing": "keys"})
+                tell({"progress": share, "doing": "keys"})
     finally:
         keys.close()
     with contextlib.suppress(OSError):
         return file.stat().st_size
     return 0
-
-
-def _say(message: dict[str, Any]) -> None:
-    sys.stdout.buffer.write(orjson.dumps(message) + b"\n")
-    sys.stdout.buffer.flush()
 
 
 def _wait_for_parent() -> None:
