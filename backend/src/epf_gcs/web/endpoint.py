@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from http import HTTPStatus
 from typing import Any, Final
@@ -20,7 +20,7 @@ from epf_gcs.clock import Clock
 from epf_gcs.contract.events import AccessEvent, ErrorEvent
 from epf_gcs.contract.notices import StickSample
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.errors import ErrorCode, GatewayError
+from epf_gcs.errors import ErrorCode, GatewayError, InvalidInputError
 from epf_gcs.web.replays.replay_conversation import ReplayConversation
 from epf_gcs.web.replays.replays import Replays
 from epf_gcs.web.serving.guard import Access
@@ -60,14 +60,15 @@ class StreamEndpoint:
         self._parts = parts
         self._access = access
 
-    def check(self, host: str | None, origin: str | None) -> None:
-        """Raise Refusal if Host is not a name of this server, or if the page is another server's."""
+    def check(self, values: Callable[[str], Sequence[str]]) -> None:
+        """`values` gives all values of a header. Raise Refusal if Host is not a name of this server, if the page is
+        another server's, or if one of the two comes twice."""
         try:
-            self._access.check_host(host)
-            self._access.check_origin(origin, host)
+            self._access.check(values, reads=False)
         except GatewayError as error:
             self._parts.errors.count(error.code)
-            raise Refusal(HTTPStatus.FORBIDDEN, error.detail) from error
+            is_none = isinstance(error, InvalidInputError)
+            raise Refusal(HTTPStatus.BAD_REQUEST if is_none else HTTPStatus.FORBIDDEN, error.detail) from error
 
     def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> Conversation:
         """Read path and query of the URL. Raises Refusal for a stranger, an unknown path or an invalid rate."""

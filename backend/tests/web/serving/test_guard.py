@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
+from tests.support.waiting import DEADLINE_S
 
 
 @pytest.mark.parametrize(
@@ -37,7 +39,7 @@ def test_a_name_that_is_not_ours_is_not_answered(gateway: Gateway, host: str) ->
         assert (answer.status_code, answer.json()["code"]) == (403, "foreign_host")
 
 
-@pytest.mark.parametrize("host", ["[::1", "[", "[zz]:1"])
+@pytest.mark.parametrize("host", ["[::1", "[", "[zz]:1", "127.0.0.1:8000.evil"])
 def test_a_host_that_is_no_name_is_a_bad_request(gateway: Gateway, host: str) -> None:
     answer = gateway.http.get("/status", headers={"Host": host})
     assert (answer.status_code, answer.json()["code"]) == (400, "invalid_request")
@@ -120,3 +122,21 @@ def test_an_address_that_is_none_and_a_method_that_is_wrong_are_said_so(gateway:
     assert (wrong.status_code, wrong.json()["code"]) == (405, "method_not_allowed")
     assert wrong.headers["content-type"] == "application/problem+json"
     assert "GET" in wrong.headers["allow"]
+
+
+@pytest.mark.parametrize("name", ["Host", "Origin"])
+def test_a_host_or_an_origin_that_comes_twice_is_a_bad_request_also_on_the_stream(gateway: Gateway, name: str) -> None:
+    port = int(gateway.base.rpartition(":")[2])
+    head = f"Host: 127.0.0.1:{port}\r\nConnection: close\r\n" + f"{name}: http://127.0.0.1:{port}\r\n" * 2
+    upgrade = (
+        "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+    )
+    for what, more in (
+        ("GET /api/v1/status", ""),
+        ("POST /api/v1/commands/start", ""),
+        ("GET /api/v1/stream", upgrade),
+    ):
+        with socket.create_connection(("127.0.0.1", port), timeout=DEADLINE_S) as line:
+            line.sendall(f"{what} HTTP/1.1\r\n{head}{more}\r\n".encode())
+            assert line.recv(4096).split(b" ", 2)[1] == b"400", what

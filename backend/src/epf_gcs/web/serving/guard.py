@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ipaddress
 from collections import Counter
-from collections.abc import Iterable, Mapping, MutableMapping
+from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
 from http import HTTPStatus
 from types import MappingProxyType
 from typing import Any, Final
@@ -48,6 +48,15 @@ _OF_GOOGLE_EARTH: Final = (".kml", ".kmz", ".dae")
 log = structlog.get_logger("gateway")
 
 
+def _only(values: Callable[[str], Sequence[str]], name: str) -> str | None:
+    found = values(name)
+    if len(found) > 1:
+        raise InvalidInputError(
+            "invalid_request", f"The header '{name}' came {len(found)} times: send it once.", field=name
+        )
+    return found[0] if found else None
+
+
 class Access:
     """Rules for the header Host (the server's name in the URL) and Origin (the page that makes the request).
 
@@ -59,10 +68,22 @@ class Access:
         self._hosts = frozenset(host.lower() for host in hosts) | {"localhost"}
         self._origins = frozenset(origins)
 
-    def check_host(self, host: str | None) -> None:
-        """Raise GatewayError if Host is not one of this server's names, InvalidInputError if it is no name at all."""
+    def check(self, values: Callable[[str], Sequence[str]], *, reads: bool) -> None:
+        """`values` gives all values of a header; `reads`: nothing is commanded, so that any page may ask.
+
+        Raises GatewayError if Host is not one of this server's names or the page is another server's; InvalidInputError
+        if Host is no name at all, or if one of the two comes twice: others on the way may have read the other one.
+        """
+        host, origin = _only(values, "Host"), _only(values, "Origin")
+        self._check_host(host)
+        if not reads:
+            self._check_origin(origin, host)
+
+    def _check_host(self, host: str | None) -> None:
         try:
-            name = urlsplit(f"//{host or ''}").hostname or ""
+            parts = urlsplit(f"//{host or ''}")
+            name = parts.hostname or ""
+            _ = parts.port  # a ValueError if it is no number
         except ValueError as error:
             raise InvalidInputError(
                 "invalid_request", "The header 'Host' is no name of a server: correct it.", field="Host"
@@ -75,8 +96,7 @@ class Access:
                 host=name,
             )
 
-    def check_origin(self, origin: str | None, host: str | None) -> None:
-        """Raise GatewayError if the request comes from another server's page."""
+    def _check_origin(self, origin: str | None, host: str | None) -> None:
         if origin is None or origin in self._origins:
             return
         try:
@@ -156,9 +176,7 @@ class Guard:
         headers = Headers(scope=scope)
         reading = scope["method"] in _READING
         try:
-            self._access.check_host(headers.get("host"))
-            if not reading:
-                self._access.check_origin(headers.get("origin"), headers.get("host"))
+            self._access.check(headers.getlist, reads=reading)
             caller, entry = await self._admit(scope)
         except InvalidInputError as error:
             await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)

@@ -22,9 +22,10 @@ class Redirect:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send the browser on, but only to a name of this station."""
-        host = Headers(scope=scope).get("host")
+        headers = Headers(scope=scope)
+        host = headers.get("host")
         try:
-            self._access.check_host(host)
+            self._access.check(headers.getlist, reads=True)
         except GatewayError as error:
             is_none = isinstance(error, InvalidInputError)
             status = HTTPStatus.BAD_REQUEST if is_none else HTTPStatus.FORBIDDEN

@@ -5,8 +5,6 @@ from __future__ import annotations
 from http import HTTPStatus
 from urllib.parse import SplitResult, urlsplit
 
-from websockets.datastructures import Headers
-
 
 class Refusal(Exception):  # noqa: N818 - an answer to the handshake, not a fault
     """The handshake is refused with this status and sentence."""
@@ -23,9 +21,3 @@ def address_parts(address: str) -> SplitResult:
         return urlsplit(address)
     except ValueError as error:
         raise Refusal(HTTPStatus.BAD_REQUEST, "This is no address.") from error
-
-
-def only_value(headers: Headers, name: str) -> str | None:
-    """The value of a header; a repeated one gives its values joined, which is never a valid value."""
-    values = headers.get_all(name)
-    return None if not values else ",".join(values)

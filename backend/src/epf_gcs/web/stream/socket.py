@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from http import HTTPStatus
 from typing import Any, Final, Protocol, cast
 from urllib.parse import parse_qsl
@@ -24,7 +24,7 @@ from websockets.utils import apply_mask
 from epf_gcs.access.allowance import Allowance
 from epf_gcs.access.caller import Caller
 from epf_gcs.repeating import Repeating
-from epf_gcs.web.stream.handshake import Refusal, address_parts, only_value
+from epf_gcs.web.stream.handshake import Refusal, address_parts
 
 _MAX_MESSAGE_BYTES: Final = 16384
 _KEEPALIVE_S: Final = 10.0
@@ -67,8 +67,8 @@ class Endpoint(Protocol):
     def opened(self, conversation: Conversation) -> None:
         """The handshake is done."""
 
-    def check(self, host: str | None, origin: str | None) -> None:
-        """Raise Refusal if this host or origin may not connect."""
+    def check(self, values: Callable[[str], Sequence[str]]) -> None:
+        """Raise Refusal if this Host or Origin may not connect; `values` gives all values of a header."""
 
 
 class SocketConnection(asyncio.Protocol):
@@ -277,7 +277,7 @@ class SocketConnection(asyncio.Protocol):
         peer = transport.get_extra_info("peername") or ("", 0)
         try:
             parts = address_parts(request.path)
-            self._endpoint.check(only_value(request.headers, "Host"), only_value(request.headers, "Origin"))
+            self._endpoint.check(request.headers.get_all)
             query = dict(parse_qsl(parts.query, keep_blank_values=True))
             conversation = self._endpoint.open(self, parts.path, query, f"{peer[0]}:{peer[1]}")
         except Refusal as refusal:
