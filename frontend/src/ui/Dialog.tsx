@@ -30,6 +30,7 @@ export function Dialog(props: Props) {
   const words = useWords();
   const popup = useRef<HTMLDivElement>(null);
   const head = useRef<HTMLElement>(null);
+  const body = useRef<HTMLDivElement>(null);
   const refuse = useRefuse();
   const [refused, setRefused] = useState<string | null>(null);
   useOpened(open);
@@ -49,8 +50,10 @@ export function Dialog(props: Props) {
           className="ui-dialog"
           data-size={size}
           onClickCapture={() => setRefused(null)}
-          // A touch needs no focused button, and would show its outline.
-          initialFocus={(opened) => (opened === "touch" ? popup.current : focusNow(head.current))}
+          // A touch needs no focus: it would show an outline, or bring up the keyboard.
+          initialFocus={(opened) =>
+            opened === "touch" ? popup.current : focusNow(body.current, FIELD) && focusNow(head.current)
+          }
         >
           <header ref={head} className="ui-dialog-head">
             <Base.Title className="ui-dialog-title">{title}</Base.Title>
@@ -64,7 +67,7 @@ export function Dialog(props: Props) {
           <RefusalProvider value={refuseInFront}>
             {children !== undefined && (
               // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be in reach of the keyboard
-              <div className="ui-dialog-body" tabIndex={0}>
+              <div ref={body} className="ui-dialog-body" tabIndex={0}>
                 {children}
               </div>
             )}
@@ -77,14 +80,16 @@ export function Dialog(props: Props) {
   );
 }
 
+/** What words are typed into: who opened a dialog that asks for them can type at once. */
+const FIELD = "input[type=text]:not([role=combobox]), textarea";
+
 /**
- * Focus the first button in `place` as a dialog's first focus. The dialog by itself would do it with the next animation
+ * Focus the first button in `place`, or what `wanted` selects, as a dialog's first focus. The dialog by itself would do it with the next animation
  * frame: a key that is pressed before that moves the focus of the page behind, is overtaken by the late focus, and the
- * Enter after it presses another button than the user chose. Returns what `initialFocus` wants: true if there is no
- * button.
+ * Enter after it presses another button than the user chose. Returns what `initialFocus` wants: true if there is none.
  */
-export function focusNow(place: HTMLElement | null): boolean {
-  const button = place?.querySelector("button") ?? null;
-  button?.focus();
-  return button === null;
+export function focusNow(place: HTMLElement | null, wanted = "button"): boolean {
+  const found = place?.querySelector<HTMLElement>(wanted) ?? null;
+  found?.focus();
+  return found === null;
 }

@@ -13,7 +13,10 @@ import { PLAYBACK } from "./playbackRequests";
 /** As many letters as the gateway takes. */
 const MOST_LETTERS = 500;
 
-/** Asks for the words of a mark at the moment that is shown; in the present, at the moment the key was pressed. */
+/**
+ * Asks for the words of a mark at the moment that is shown; in the present, at the moment the key was pressed. Who has
+ * no hand free presses Enter: the words can come later.
+ */
 export function MarkDialog({ onClose }: { readonly onClose: () => void }) {
   const { t } = useTranslation();
   const sentence = useSentence();
@@ -26,11 +29,14 @@ export function MarkDialog({ onClose }: { readonly onClose: () => void }) {
   const words = text.trim().slice(0, MOST_LETTERS);
 
   async function set(): Promise<void> {
-    if (words === "" || isSending.current) {
+    if (isSending.current) {
       return;
     }
     isSending.current = true;
-    const refused = await playback.mark(words, (performance.now() - pressed_ms) / 1000);
+    const refused = await playback.mark(
+      words === "" ? t("time.mark") : words,
+      (performance.now() - pressed_ms) / 1000,
+    );
     isSending.current = false;
     if (refused === null) {
       onClose();
@@ -50,11 +56,7 @@ export function MarkDialog({ onClose }: { readonly onClose: () => void }) {
       actions={
         <>
           <Button onPress={onClose}>{t("time.markCancel")}</Button>
-          <Button
-            variant="primary"
-            onPress={() => void set()}
-            disabledReason={words === "" ? t("time.markEmpty") : undefined}
-          >
+          <Button variant="primary" onPress={() => void set()}>
             {t("time.markSet")}
           </Button>
         </>
@@ -67,6 +69,7 @@ export function MarkDialog({ onClose }: { readonly onClose: () => void }) {
         onEdit={setText}
         onEnter={() => void set()}
       />
+      <p className="time-none">{t("time.markLater")}</p>
       {failure !== null && <Notice level="error">{sentence(failure)}</Notice>}
     </Dialog>
   );

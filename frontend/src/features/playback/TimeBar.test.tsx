@@ -1,4 +1,5 @@
 import { act, fireEvent, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { FLIGHT, FLIGHT_STARTS_S } from "../../test/replay";
@@ -341,6 +342,18 @@ describe("the playback", () => {
     station.replayed((replay) => replay.greet());
     expect(station.replay.asked).toEqual([{ type: "play", rate: 1 }]);
     expect(screen.queryByText("Abriendo el vuelo…")).toBeNull();
+  });
+
+  test("sets a mark by M and Enter alone: the words can come later", async () => {
+    const station = inThePast();
+    const user = userEvent.setup();
+    await user.keyboard("M");
+    expect(document.activeElement).toBe(screen.getByRole("textbox", { name: "Qué ha pasado" }));
+    await user.keyboard("{Enter}");
+    const [asked] = station.asked.filter(({ method }) => method === "POST");
+    expect(asked?.body).toEqual({ text: "Marca", at_s: 100 });
+    await asked?.answer({});
+    expect(screen.queryByRole("dialog")).toBeNull();
   });
 
   test("sets a mark with words at the moment that is shown", async () => {
