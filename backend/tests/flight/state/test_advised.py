@@ -93,7 +93,10 @@ async def test_what_was_advised_is_in_the_recording(
         await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
         port = free_udp_port()
         await flight.lines.open_simulator(SimulatorAddress(port, "127.0.0.1", free_udp_port(), "xp10"))
-        await eventually_async(lambda: bool(flight._advised._seen), "it is advised")
+        # On a busy computer something else may be advised first.
+        await eventually_async(
+            lambda: any(code == "simulator_silent" for code, _ in flight._advised._seen), "it is advised"
+        )
     (file,) = (tmp_path / "recordings").glob("*.mcap")
     noted = [note.content for note in notes_of(file) if note.name == EVENT]
     (silent,) = [one["data"] for one in noted if one["event"] == "advice" and one["data"]["code"] == "simulator_silent"]

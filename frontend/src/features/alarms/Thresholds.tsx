@@ -59,19 +59,21 @@ function Battery() {
   return (
     <Notice level="warning">
       {t("alarmLog.batteryAsked", { cells, highest_v, low_v })}
-      {[cells, cells + 1].map((number) => (
-        <Button
-          key={number}
-          onPress={() =>
-            void alarmLog.setThreshold("battery_cells", number, { control: "threshold.battery_cells" })
-          }
-          state={state}
-          stateText={stateText}
-          disabledReason={blocked}
-        >
-          {t("alarmLog.batteryYes", { cells: number })}
-        </Button>
-      ))}
+      <div className="alarms-battery">
+        {[cells, cells + 1].map((number) => (
+          <Button
+            key={number}
+            onPress={() =>
+              void alarmLog.setThreshold("battery_cells", number, { control: "threshold.battery_cells" })
+            }
+            state={state}
+            stateText={stateText}
+            disabledReason={blocked}
+          >
+            {t("alarmLog.batteryYes", { cells: number })}
+          </Button>
+        ))}
+      </div>
     </Notice>
   );
 }
