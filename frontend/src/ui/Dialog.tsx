@@ -84,9 +84,10 @@ export function Dialog(props: Props) {
 const FIELD = "input[type=text]:not([role=combobox]), textarea";
 
 /**
- * Focus the first button in `place`, or what `wanted` selects, as a dialog's first focus. The dialog by itself would do it with the next animation
- * frame: a key that is pressed before that moves the focus of the page behind, is overtaken by the late focus, and the
- * Enter after it presses another button than the user chose. Returns what `initialFocus` wants: true if there is none.
+ * Focus the first button in `place`, or what `wanted` selects, as a dialog's first focus. The dialog by itself would do
+ * it with the next animation frame: a key that is pressed before that moves the focus of the page behind, is overtaken
+ * by the late focus, and the Enter after it presses another button than the user chose. Returns what `initialFocus`
+ * wants: true if nothing was found, so that the dialog chooses.
  */
 export function focusNow(place: HTMLElement | null, wanted = "button"): boolean {
   const found = place?.querySelector<HTMLElement>(wanted) ?? null;

@@ -56,13 +56,11 @@ class BatteryJudge:
         if not self._low.look(now_s, condition=is_low) or pack is None:
             return None
         params: Params = {"battery_v": self._said_v, "limit_v": round(pack.low_v, 1)}
-        text = f"The battery is low: {self._said_v:.1f} V, below {pack.low_v:.1f} V. Land, or change it."
+        why = f", below {pack.low_v:.1f} V"
         if limits["battery_low_v"] == 0.0:
             params["cells"] = pack.cells
-            text = (
-                f"The battery is low: {self._said_v:.1f} V; {pack.cells} cells need {pack.low_v:.1f} V. "
-                "Land, or change it."
-            )
+            why = f"; {pack.cells} cells need {pack.low_v:.1f} V"
+        text = f"The battery is low: {self._said_v:.1f} V{why}. Land, or change it."
         return Finding("battery_low", "critical", text, params)
 
 
@@ -88,7 +86,7 @@ class LimitJudge:
         self._beyond.restore(beyond)
 
     def look(self, now_s: float, value: float | None, limit: float) -> Finding | None:
-        """`value` None: not measured, or not live. A limit of 0 is none."""
+        """`value` is None if it is not measured or not live. With a limit of 0 there is no alarm."""
         is_beyond = None
         if limit > 0.0 and value is not None:
             is_beyond = value < limit if self._is_least else value > limit

@@ -21,8 +21,6 @@ from epf_gcs.xplane.mapping import in_our_unit, row_meaning
 MOTION_ROWS: Final = frozenset({3, 4, 16, 17, 20})
 """Speed, climb, rates, attitude and position: in flight each of them changes from frame to frame."""
 
-"""The event that tells viewers of a jump. A recording notes it."""
-
 _SPEED_ROW: Final = 3
 _POSITION_ROW: Final = 20
 _PAUSED_AFTER_S: Final = 0.3

@@ -1,4 +1,4 @@
-import { useEffect, useState } from "react";
+import { type ReactNode, useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatAge } from "../../lib/format";
@@ -75,59 +75,45 @@ function repeated(alarms: readonly PastAlarm[]): readonly Repeated[] {
 /** One line for an alarm that came again and again; a press shows each time. */
 function Group({ alarms }: { alarms: Repeated }) {
   const { t } = useTranslation();
-  const sentence = useSentence();
-  const now_s = usePart(ALARM_LOG).wall_s();
   const [isOpen, setOpen] = useState(false);
-  const [newest, ...others] = alarms;
-  const oldest = others.at(-1);
-  if (oldest === undefined) {
-    return <Row alarm={newest} />;
-  }
-  const lasted_s = alarms.reduce((sum, { since_s, until_s }) => sum + until_s - since_s, 0);
-  const unknown = alarms.filter(({ acknowledged }) => !acknowledged).length;
+  const count = alarms.length;
   return (
     <>
-      <tr>
-        <td>
-          <LevelMark
-            level={alarms.some(({ level }) => level === "critical") ? "critical" : "warning"}
-            isBrief
-          />
-        </td>
-        <td className="alarms-table-text">
-          {sentence(alarmMessage(newest, null))}{" "}
-          <Button
-            onPress={() => setOpen(!isOpen)}
-            pressed={isOpen}
-            label={t("alarmLog.times", { count: alarms.length })}
-          >
-            {`× ${alarms.length}`}
+      <Row alarms={alarms}>
+        {count > 1 && (
+          <Button onPress={() => setOpen(!isOpen)} pressed={isOpen} label={t("alarmLog.times", { count })}>
+            {`× ${count}`}
           </Button>
-        </td>
-        <td className="alarms-number">{formatMoment(oldest.since_s, now_s)}</td>
-        <td className="alarms-number">{formatClock(newest.until_s)}</td>
-        <td className="alarms-number">{formatAge(lasted_s)}</td>
-        <td>{unknown === 0 ? t("alarmLog.yes") : t("alarmLog.no")}</td>
-      </tr>
-      {isOpen && alarms.map((alarm) => <Row key={`${alarm.since_s}@${alarm.until_s}`} alarm={alarm} />)}
+        )}
+      </Row>
+      {isOpen && alarms.map((alarm) => <Row key={`${alarm.since_s}@${alarm.until_s}`} alarms={[alarm]} />)}
     </>
   );
 }
 
-function Row({ alarm }: { alarm: PastAlarm }) {
+/** Alarms of one kind, newest first, in one line: the words of the newest, from the first beginning to the last end. */
+function Row({ alarms, children }: { alarms: Repeated; children?: ReactNode }) {
   const { t } = useTranslation();
   const sentence = useSentence();
   const now_s = usePart(ALARM_LOG).wall_s();
+  const [newest] = alarms;
+  const oldest = alarms.at(-1) ?? newest;
+  const lasted_s = alarms.reduce((sum, { since_s, until_s }) => sum + until_s - since_s, 0);
   return (
     <tr>
       <td>
-        <LevelMark level={alarm.level} isBrief />
+        <LevelMark
+          level={alarms.some(({ level }) => level === "critical") ? "critical" : "warning"}
+          isBrief
+        />
       </td>
-      <td className="alarms-table-text">{sentence(alarmMessage(alarm, null))}</td>
-      <td className="alarms-number">{formatMoment(alarm.since_s, now_s)}</td>
-      <td className="alarms-number">{formatClock(alarm.until_s)}</td>
-      <td className="alarms-number">{formatAge(alarm.until_s - alarm.since_s)}</td>
-      <td>{alarm.acknowledged ? t("alarmLog.yes") : t("alarmLog.no")}</td>
+      <td className="alarms-table-text">
+        {sentence(alarmMessage(newest, null))} {children}
+      </td>
+      <td className="alarms-number">{formatMoment(oldest.since_s, now_s)}</td>
+      <td className="alarms-number">{formatClock(newest.until_s)}</td>
+      <td className="alarms-number">{formatAge(lasted_s)}</td>
+      <td>{alarms.every(({ acknowledged }) => acknowledged) ? t("alarmLog.yes") : t("alarmLog.no")}</td>
     </tr>
   );
 }

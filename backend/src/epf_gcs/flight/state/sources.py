@@ -1,4 +1,4 @@
-"""The parts whose state is shown, in one place."""
+"""The parts whose state is shown and looked after, in one place."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from epf_gcs.vehicle.telemetry import Telemetry
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StateSources:
-    """Read for the status, for the inspector and by the housekeeping; none of them changes what they hold."""
+    """The status and the inspector read them; the housekeeping gives those their turn that need one."""
 
     clock: Clock
     errors: ErrorLog
