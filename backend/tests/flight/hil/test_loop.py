@@ -23,6 +23,7 @@ from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
 from tests.support.held import HeldClock
 from tests.support.outlet import KeptOutlet
 from tests.support.simulator import WHOLE
+from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
 
@@ -104,6 +105,9 @@ class Loop:
     def shown(self, topic: str) -> list[Any]:
         return [values for name, _, values in self.outlet.samples if name == topic]
 
+    async def has_shown(self, count: int) -> None:
+        await eventually_async(lambda: len(self.shown("simulator")) >= count, f"{count} frames are shown")
+
     async def holds_gamepad(self) -> None:
         self.stick.control_changed(Client("ana", "Ana"))
         self.stick.take("ana", {**HAND._asdict(), "t_ms": self.clock.time_s * 1000.0})
@@ -151,7 +155,7 @@ async def test_what_an_emulated_board_says_or_a_gamepad_meanwhile_moves_nobody(p
     loop.flies()
     loop.says(heartbeat(joystick=False))
     loop.says(encode_telemetry("servos_in", *CHANNELS))
-    await asyncio.sleep(0)
+    await loop.has_shown(1)
     assert loop.socket.sent == []
     assert len(loop.line.written) == written
     assert loop.hil.last_surfaces_s is None, "the loop is not closed by examples"
@@ -164,7 +168,7 @@ async def test_board_simulator_and_viewers_get_the_gamepads_position_as_the_wire
     loop.board(joystick=True)
     await loop.holds_gamepad()
     loop.flies()
-    await asyncio.sleep(0)
+    await loop.has_shown(1)
     on_the_wire = Surfaces(*map(single, HAND))
     assert loop.told() == [on_the_wire]
     assert loop.socket.sent == [surfaces_datagram(HAND)]
@@ -212,15 +216,13 @@ async def test_what_the_earlier_simulator_said_last_is_not_shown_as_the_new_ones
     loop = Loop()
     loop.flies()
     loop.begin("xp12")
-    await asyncio.sleep(0)
+    await asyncio.sleep(0.005)
     assert loop.outlet.samples == []
     assert loop.hil.profile == "xp12"
-    loop.flies()
-    await asyncio.sleep(0)
-    assert len(loop.shown("simulator")) == 1, "the new one's is"
-    loop.flies()
-    await asyncio.sleep(0)
-    assert len(loop.shown("simulator")) == 2
+    for count, which in ((1, "the new one's first"), (2, "and its second")):
+        loop.flies()
+        await loop.has_shown(count)
+        assert len(loop.shown("simulator")) == count, which
     assert loop.outlet.flushed >= 2, "and sent without waiting for the board"
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import socket
 from collections.abc import AsyncIterator, Iterator
 from dataclasses import asdict, replace
@@ -327,11 +326,11 @@ async def test_what_was_copied_stays_as_it_was_while_more_comes(tmp_path: Path) 
     ahrs, row = encode_telemetry("ahrs", 10.0, 5.0, -3.0), build([Record(99, (7.5,) * 8)])
     station.board.on_bytes(ahrs)
     station.hil.on_datagram(row)
-    await asyncio.sleep(0)
+    await eventually_async(lambda: 99 in station.hil.arrivals, "the row came")
     snapshot = take_snapshot(station.sources)
     station.board.on_bytes(ahrs)
     station.hil.on_datagram(row)
-    await asyncio.sleep(0)
+    await eventually_async(lambda: station.hil.arrivals[99].count == 2, "the second row came")
     now, then = inspect(station), asdict(build_inspector(snapshot))
     for found, count in ((then, 1), (now, 2)):
         assert {frame["count"] for frame in found["board"] if frame["name"] == "ahrs"} == {count}

@@ -39,6 +39,8 @@ Source = Literal["joystick", "rc"]
 _COMMAND_50: Final = COMMANDS["xplane_info"]
 # With more bytes queued the line is slower than the simulator: skip the frame, it would be old when it leaves.
 _MAX_BACKLOG_BYTES: Final = 256
+# Judging and showing a frame must not stand in the way of the answer of a board that answers at once.
+_SHOW_AFTER_S: Final = 0.001
 _MOST_UNSHOWN: Final = 256
 
 
@@ -154,7 +156,7 @@ class Hil:
             self._act_on(info, now_s)
             reading = reading._replace(info=info)
         self._unshown.append(reading)
-        self._showing.arm()
+        self._showing.arm(_SHOW_AFTER_S)
         return True
 
     def on_urgent(self, frame: Frame) -> None:
