@@ -1,6 +1,9 @@
-/** Elements that use keys themselves: menus find entries by letter, dialogs have their own keys. */
+/**
+ * Elements that use keys themselves: menus find entries by letter, dialogs have their own keys. A menu bar does so only
+ * while a menu is open: the title of a menu that was closed keeps the focus, and uses no letter.
+ */
 const TAKEN =
-  '[role="menubar"], [role="menu"], [role="dialog"], [role="alertdialog"], [contenteditable="true"], select, textarea';
+  '[role="menubar"]:has([aria-expanded="true"]), [role="menu"], [role="dialog"], [role="alertdialog"], [contenteditable="true"], select, textarea';
 
 /** Input types without text entry. */
 const NOT_TYPED: ReadonlySet<string> = new Set(["radio", "checkbox", "range", "button"]);

@@ -1,9 +1,12 @@
 import { act, fireEvent, screen } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import { TIME_KEYS } from "../../features/playback/timeKeys";
 import { Station } from "../../test/station";
 import { chooseKeys } from "../settings/choices";
 import { SHORTCUTS } from "./table";
+
+const QUICK = { pointerEventsCheck: 0, delay: null } as const;
 
 function flying(): Station {
   const station = new Station();
@@ -76,6 +79,33 @@ describe("no key does anything", () => {
     press("l");
     expect(asked(station)).toEqual([]);
   });
+});
+
+test("the keys work again when a menu, or a dialog that came from one, was closed", async () => {
+  const user = userEvent.setup(QUICK);
+  const station = flying();
+  const tab = (): string | undefined => station.page.settings.getState().choices["tab"];
+  const title = screen.getByRole("menuitem", { name: "Ayuda" });
+  title.focus();
+  await user.keyboard("{Enter}");
+  station.show();
+  await user.keyboard("4");
+  expect(tab(), "an open menu keeps its keys").toBeUndefined();
+  await user.keyboard("{Escape}");
+  expect(document.activeElement).toBe(title);
+  await user.keyboard("2");
+  expect(tab()).toBe("six");
+  await user.keyboard("a{Enter}");
+  expect(asked(station), "Enter confirms, and opens no menu").toEqual(["/api/v1/commands/autopilot_on"]);
+
+  await user.keyboard("{Enter}");
+  station.show();
+  await user.click(screen.getByText("Atajos de teclado"));
+  screen.getByRole("dialog", { name: "Atajos de teclado" });
+  await user.keyboard("4{Escape}");
+  expect(tab()).toBe("six");
+  await user.keyboard("4");
+  expect(tab()).not.toBe("six");
 });
 
 test("a digit opens its tab", () => {
