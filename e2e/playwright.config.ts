@@ -24,6 +24,8 @@ export default defineConfig({
   reporter: process.env.PLAYWRIGHT_JUNIT_OUTPUT_FILE ? [["list"], ["junit"]] : [["list"]],
   use: {
     browserName: "chromium",
+    // The page speaks the browser's language; the journeys read Spanish.
+    locale: "es-ES",
     viewport: { width: 1366, height: 768 },
     launchOptions: system === undefined ? {} : { executablePath: system },
     screenshot: "only-on-failure",

@@ -42,6 +42,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
     gamepads: browserGamepads(window),
     storage: storageOf(() => window.localStorage),
     tabStorage: storageOf(() => window.sessionStorage),
+    languages: window.navigator.languages,
     sounder: browserSounder(window),
     speaker: browserSpeaker(window, BROWSER_TIMERS),
   };

@@ -56,7 +56,7 @@ export function createCore(world: World, isPast: () => boolean): Core {
     timers,
     vehicle,
     admission: createAdmission(),
-    settings: createSettings(world.storage),
+    settings: createSettings(world.storage, world.languages),
     commands: createCommands(),
     messages,
     now_ms: timers.now_ms,

@@ -20,6 +20,8 @@ export interface World {
   /** `storage` outlives the browser; `tabStorage` lasts until this browser tab is closed. */
   readonly storage: BrowserStorage | null;
   readonly tabStorage: BrowserStorage | null;
+  /** The languages that the browser's user prefers, the first one most: `es-ES`. */
+  readonly languages: readonly string[];
   readonly sounder: Sounder;
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;

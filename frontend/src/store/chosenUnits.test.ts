@@ -13,14 +13,14 @@ import { createSettings } from "./settings";
 
 describe("the chosen unit", () => {
   test("is that of the sender until somebody chooses", () => {
-    const settings = createSettings(null);
+    const settings = createSettings(null, []);
     expect(QUANTITIES.map((quantity) => unitChoice(settings.getState(), quantity))).toEqual(
       QUANTITIES.map(() => AS_SENT),
     );
   });
 
   test("of one quantity leaves the others alone, and goes back", () => {
-    const settings = createSettings(null);
+    const settings = createSettings(null, []);
     chooseUnit(settings, "altitude", "m");
     expect(unitChoice(settings.getState(), "altitude")).toBe("m");
     expect(unitChoice(settings.getState(), "distance")).toBe(AS_SENT);
@@ -29,7 +29,7 @@ describe("the chosen unit", () => {
   });
 
   test("that the quantity does not have is no choice", () => {
-    const settings = createSettings(null);
+    const settings = createSettings(null, []);
     chooseUnit(settings, "altitude", "kt");
     expect(unitChoice(settings.getState(), "altitude")).toBe(AS_SENT);
   });

@@ -32,7 +32,7 @@ const page = {
   ),
   connection: createConnection(),
   commands: createCommands(),
-  settings: createSettings(null),
+  settings: createSettings(null, ["es"]),
   parts: new Parts(),
 } as Partial<Page> as Page;
 let now_ms = 0;

@@ -20,14 +20,27 @@ export interface BrowserStorage {
   setItem(key: string, value: string): void;
 }
 
+/** The first language of ours that the browser prefers; English for everybody else. */
+export function preferredLanguage(tags: readonly string[]): Language {
+  const wanted = tags.map((tag) => tag.split("-")[0]?.toLowerCase());
+  return wanted.map((tag) => LANGUAGES.find((known) => known === tag)).find(isKnown) ?? "en";
+}
+
 const KEY = "epf-gcs.settings";
 
-/** The settings, written to the storage at each change; without a usable storage they last as long as the page. */
-export function createSettings(storage: BrowserStorage | null): SettingsStore {
-  const store = createStore<Settings>(() => read(storage));
-  store.subscribe((settings) => {
+/**
+ * The settings, written to the storage at each change; without a usable storage they last as long as the page.
+ * `preferred` are the browser's languages: they hold until a person chooses another one.
+ */
+export function createSettings(storage: BrowserStorage | null, preferred: readonly string[]): SettingsStore {
+  const { language: kept, ...others } = read(storage);
+  const first = kept ?? preferredLanguage(preferred);
+  const store = createStore<Settings>(() => ({ language: first, ...others }));
+  let isChosen = kept !== undefined;
+  store.subscribe(({ language, ...changed }) => {
+    isChosen ||= language !== first;
     try {
-      storage?.setItem(KEY, JSON.stringify(settings));
+      storage?.setItem(KEY, JSON.stringify(isChosen ? { language, ...changed } : changed));
     } catch {
       // Full or forbidden: the page works without storage.
     }
@@ -39,11 +52,18 @@ export function choose(store: SettingsStore, name: string, value: string): void 
   store.setState(({ choices }) => ({ choices: { ...choices, [name]: value } }));
 }
 
-function read(storage: BrowserStorage | null): Settings {
+function isKnown(language: Language | undefined): language is Language {
+  return language !== undefined;
+}
+
+/** What is stored; the language only if it was chosen. */
+function read(
+  storage: BrowserStorage | null,
+): Omit<Settings, "language"> & { language: Language | undefined } {
   const stored = parse(storage);
   const { choices, language, theme } = stored;
   return {
-    language: LANGUAGES.find((known) => known === language) ?? "es",
+    language: LANGUAGES.find((known) => known === language),
     theme: isThemeName(theme) ? theme : "dark",
     choices: isObject(choices)
       ? Object.fromEntries(

@@ -108,6 +108,7 @@ export class Station {
       animationFrames: this.animationFrames,
       storage: new MemoryStorage(),
       tabStorage: new MemoryStorage(),
+      languages: ["es-ES"],
       sounder: this.sounder,
       speaker: this.speaker,
       gamepads: this.gamepads,

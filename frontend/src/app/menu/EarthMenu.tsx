@@ -7,14 +7,15 @@ import { useDialogs } from "../views/useDialogs";
 import { useOutcome } from "./items";
 
 export function EarthMenu() {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
+  const query = `?lang=${i18n.language}`;
   return (
     <Menu label={t("menu.earth")}>
       <TrackReset />
       <TrackRestore />
       <MenuRule />
-      <MenuLink label={t("menu.openEarth")} href="/api/v1/earth.kml" download="epf-gcs.kml" />
-      <MenuLink label={t("menu.exportKml")} href="/api/v1/track.kml" download="epf-gcs-track.kml" />
+      <MenuLink label={t("menu.openEarth")} href={`/api/v1/earth.kml${query}`} download="epf-gcs.kml" />
+      <MenuLink label={t("menu.exportKml")} href={`/api/v1/track.kml${query}`} download="epf-gcs-track.kml" />
     </Menu>
   );
 }

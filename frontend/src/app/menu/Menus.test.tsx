@@ -237,8 +237,8 @@ test("Google Earth gives the live link and the track as files", async () => {
   const station = flying();
   const user = userEvent.setup(QUICK);
   await open(user, station, "Google Earth");
-  expect(entry("Abrir en Google Earth").getAttribute("href")).toBe("/api/v1/earth.kml");
-  expect(entry("Exportar KML").getAttribute("href")).toBe("/api/v1/track.kml");
+  expect(entry("Abrir en Google Earth").getAttribute("href")).toBe("/api/v1/earth.kml?lang=es");
+  expect(entry("Exportar KML").getAttribute("href")).toBe("/api/v1/track.kml?lang=es");
 });
 
 describe("an entry shows", () => {

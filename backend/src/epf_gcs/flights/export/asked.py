@@ -27,7 +27,7 @@ class ExportRequest:
     topics: tuple[str, ...] | None = None
     from_s: float | None = None
     to_s: float | None = None
-    language: Language = "es"
+    language: Language = "en"
 
     @property
     def flight(self) -> str:
@@ -85,7 +85,7 @@ def read_arguments(arguments: list[str]) -> tuple[ExportRequest, Path]:
     parser.add_argument("--topics", type=lambda text: tuple(text.split(",")))
     parser.add_argument("--from-s", type=float)
     parser.add_argument("--to-s", type=float)
-    parser.add_argument("--language", choices=get_args(Language), default="es")
+    parser.add_argument("--language", choices=get_args(Language), default="en")
     given = parser.parse_args(arguments)
     asked = ExportRequest(given.file.resolve(), given.format, given.topics, given.from_s, given.to_s, given.language)
     check_export(asked.format, asked.topics, asked.from_s, asked.to_s)

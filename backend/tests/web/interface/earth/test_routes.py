@@ -56,7 +56,7 @@ def test_the_link_document_asks_each_second_under_the_name_it_was_asked_for(emul
     hrefs = texts(data, "href")
     assert all(href.startswith(f"http://localhost:{port}/api/v1/") for href in hrefs)
     assert urlsplit(hrefs[0]).path == "/api/v1/earth/live.kml"
-    assert parse_qs(urlsplit(hrefs[0]).query) == {"lang": ["es"], "follow": ["flight"]}
+    assert parse_qs(urlsplit(hrefs[0]).query) == {"lang": ["en"], "follow": ["flight"]}
     assert texts(data, "refreshMode")[0] == "onInterval"
     assert texts(data, "refreshInterval")[0] == "1"
     assert texts(data, "flyToView")[0] == "1"
@@ -145,7 +145,7 @@ def test_an_aircraft_that_is_not_heard_any_more_is_shown_at_its_last_place_witho
     board.send_gps(27.93, -15.38, 300.0)
     eventually(lambda: points(gateway)[0] == 1, "the position is heard")
     eventually(lambda: gateway.http.get("/telemetry").json()["gps"]["stale"], "it grows old")
-    data = get(gateway, "/earth/live.kml")
+    data = get(gateway, "/earth/live.kml?lang=es")
     assert texts(data, "name")[1] == "Aeronave (última posición conocida)"
     assert texts(data, "coordinates") == ["-15.380000114,27.930000305,300.000000"]
     assert texts(data, "Model") == []

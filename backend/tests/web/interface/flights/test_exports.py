@@ -41,6 +41,11 @@ def left(gateway: Gateway) -> list[str]:
     return [path.name for path in (Path(gateway.flight_thread.data_dir) / "exports").glob("*")]
 
 
+def made_by(gateway: Gateway, job: str) -> str:
+    eventually(lambda: gateway.http.get(f"/jobs/{job}/result").is_success, "the file is made")
+    return gateway.http.get(f"/jobs/{job}/result").text
+
+
 def test_an_export_is_a_job_whose_file_is_fetched(gateway: Gateway, flight: str) -> None:
     with gateway.stream() as stream:
         job_id = started(gateway, flight, format="csv", topics=["gps"], from_s=5, to_s=10)
@@ -64,6 +69,20 @@ def test_one_request_makes_and_sends_the_file_and_keeps_nothing(gateway: Gateway
     gpx = gateway.http.get(f"/flights/{flight}/export", params={"format": "gpx"})
     assert etree.fromstring(gpx.content).get("version") == "1.1"
     eventually(lambda: left(gateway) == [], "what was fetched is deleted")
+
+
+def test_a_file_whose_language_nobody_names_is_in_the_browsers(gateway: Gateway, flight: str) -> None:
+    for accepted, name, title in (
+        ("es-ES,en;q=0.5", "Recorrido HIL", "Recorrido"),
+        ("en-US,es;q=0.5", "HIL track", "Track"),
+        ("de", "HIL track", "Track"),
+    ):
+        headers = {"Accept-Language": accepted}
+        asked = gateway.http.get(f"/flights/{flight}/export", params={"format": "kml"}, headers=headers)
+        assert name in asked.raise_for_status().text
+        assert title in gateway.http.get("/track.kml", headers=headers).raise_for_status().text
+        job = gateway.http.post(f"/flights/{flight}/exports", json={"format": "kml"}, headers=headers).json()["job"]
+        assert name in made_by(gateway, job)
 
 
 def test_the_recording_exported_and_imported_again_is_the_same_flight(gateway: Gateway, flight: str) -> None:

@@ -18,8 +18,9 @@ from epf_gcs.formats.kml_plan import write_kml
 from epf_gcs.formats.kml_words import WORDS
 from epf_gcs.track.track_lines import lines_of
 from epf_gcs.web.interface.deps import ClockDep, MirrorDep, TracksDep, VehicleDep
+from epf_gcs.web.interface.language import LanguageDep
 from epf_gcs.web.interface.missions.file_routes import attachment
-from epf_gcs.web.interface.track.routes import Lang, file_answer, model_bytes
+from epf_gcs.web.interface.track.routes import file_answer, model_bytes
 from epf_gcs.web.serving.problems import reading_problems
 from epf_gcs.web.vehicle.aircraft import Which, aircraft_now, followed_of
 
@@ -34,7 +35,7 @@ _TAIL_POINTS: Final = 300
 
 
 @router.get("/plan.kml", response_class=Response, responses={**file_answer(MEDIA_TYPE), **reading_problems(409, 502)})
-async def get_plan_kml(vehicle: VehicleDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
+async def get_plan_kml(vehicle: VehicleDep, lang: LanguageDep, plan: PlanName = "flight") -> Response:
     """A plan as the board has it now."""
     name = WORDS[lang].hil_plan if plan == "hil" else WORDS[lang].plan
     data = write_kml(name, await _read(vehicle, plan))
@@ -46,7 +47,7 @@ async def get_plan_kml(vehicle: VehicleDep, plan: PlanName = "flight", lang: Lan
     response_class=Response,
     responses={**file_answer(kmz.MEDIA_TYPE), **reading_problems(409, 502)},
 )
-async def get_plan_kmz(vehicle: VehicleDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
+async def get_plan_kmz(vehicle: VehicleDep, lang: LanguageDep, plan: PlanName = "flight") -> Response:
     """The same, packed."""
     name = WORDS[lang].hil_plan if plan == "hil" else WORDS[lang].plan
     document = write_kml(name, await _read(vehicle, plan))
@@ -58,9 +59,9 @@ async def get_plan_kmz(vehicle: VehicleDep, plan: PlanName = "flight", lang: Lan
 async def get_earth_kml(
     request: Request,
     mirror: MirrorDep,
+    lang: LanguageDep,
     follow: Which | None = None,
     camera: Literal["follow", "free"] = "follow",
-    lang: Lang = "es",
 ) -> Response:
     """What a user opens in Google Earth: links to the aircraft (each second), the track and the plans.
 
@@ -89,8 +90,8 @@ async def get_live_kml(
     mirror: MirrorDep,
     flown: TracksDep,
     clock: ClockDep,
+    lang: LanguageDep,
     follow: Which | None = None,
-    lang: Lang = "es",
 ) -> Response:
     """The aircraft with their attitude, the view, and the last minute of the tracks."""
     words = WORDS[lang]

@@ -21,6 +21,7 @@ from epf_gcs.recordings.export_names import ExportFormat, check_export, file_nam
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep
 from epf_gcs.web.interface.flights.schemas import ExportInput, JobStart
+from epf_gcs.web.interface.language import BrowserLanguageDep, LanguageDep
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])
@@ -54,9 +55,11 @@ Topics = Annotated[
 
 
 @router.post("/{flight_id}/exports", status_code=202, responses=problems(404, 409))
-async def start_flight_export(flight_id: FlightId, asked: ExportInput, flights: FlightsDep) -> JobStart:
+async def start_flight_export(
+    flight_id: FlightId, asked: ExportInput, flights: FlightsDep, browser: BrowserLanguageDep
+) -> JobStart:
     """Begin to write a flight as a file: the job tells how far it is, can be cancelled, and has the file as result."""
-    return JobStart(job=(await _start(flights, flight_id, asked)).id)
+    return JobStart(job=(await _start(flights, flight_id, asked, browser)).id)
 
 
 @router.get(
@@ -71,16 +74,16 @@ async def get_flight_export(
     request: Request,
     flight_id: FlightId,
     flights: FlightsDep,
+    lang: LanguageDep,
     format: ExportFormat,  # noqa: A002 - the query parameter's name
     topics: Topics = None,
     from_s: AtS = None,
     to_s: AtS = None,
-    lang: Annotated[Language, Query(description="Language of the names in the file.")] = "es",
 ) -> Response:
     """The same in one request, for programs: the answer comes when the file is made. Who hangs up cancels it."""
     chosen = None if topics is None else topics.split(",")
-    asked = ExportInput(format=format, topics=chosen, from_s=from_s, to_s=to_s, lang=lang)
-    job = await _start(flights, flight_id, asked)
+    asked = ExportInput(format=format, topics=chosen, from_s=from_s, to_s=to_s)
+    job = await _start(flights, flight_id, asked, lang)
     try:
         while not job.is_over and not await request.is_disconnected():
             with contextlib.suppress(TimeoutError):
@@ -101,7 +104,7 @@ async def get_flight_export(
     )
 
 
-async def _start(flights: Flights, flight: str, asked: ExportInput) -> Job:
+async def _start(flights: Flights, flight: str, asked: ExportInput, language: Language) -> Job:
     """Raises NotFoundError, InvalidInputError, and ConflictError while it is recorded or prepared."""
     check_export(asked.format, asked.topics, asked.from_s, asked.to_s)
     row = await flights.get(flight)
@@ -114,7 +117,7 @@ async def _start(flights: Flights, flight: str, asked: ExportInput) -> Job:
             "flight_not_indexed", f"The flight '{flight}' is being prepared: wait until it is indexed.", flight=flight
         )
     result = flights.places.exports / secrets.token_hex(8)
-    arguments = [str(flights.places.recording(flight)), asked.format, str(result), "--language", asked.lang]
+    arguments = [str(flights.places.recording(flight)), asked.format, str(result), "--language", asked.lang or language]
     if asked.topics is not None:
         arguments += ["--topics", ",".join(asked.topics)]
     for option, at_s in (("--from-s", asked.from_s), ("--to-s", asked.to_s)):

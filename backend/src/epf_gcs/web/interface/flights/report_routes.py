@@ -15,6 +15,7 @@ from epf_gcs.library.flights import Flights
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep
 from epf_gcs.web.interface.flights.report_schemas import FlightReport
+from epf_gcs.web.interface.language import LanguageDep
 from epf_gcs.web.serving.problems import reading_problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])
@@ -30,9 +31,9 @@ _HTML: Final[dict[str, Any]] = {"schema": {"type": "string"}}
 async def get_flight_report(
     flight_id: Annotated[str, Path(pattern=ID_PATTERN, examples=["20260131T120000Z"])],
     flights: FlightsDep,
+    lang: LanguageDep,
     compare: Annotated[str | None, Query(pattern=ID_PATTERN, description="An earlier flight to set beside it.")] = None,
     format: Annotated[Literal["json", "html"], Query()] = "json",  # noqa: A002 - the contract's name
-    lang: Annotated[Literal["es", "en"], Query(description="The language of the page.")] = "es",
 ) -> Response:
     """The report of a finished flight. With `format=html` it is a page of its own, ready for print."""
     arguments = [await _recording(flights, flight_id)]

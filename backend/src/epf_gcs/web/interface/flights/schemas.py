@@ -270,14 +270,14 @@ class ExportInput(Input):
     """What becomes a file. Without `topics` all of them, without times the whole flight.
 
     Only mcap-decoded, csv and parquet have topics; a single topic of csv and parquet is one file and no archive.
-    `lang` is the language of the names in KML, KMZ, GPX and CZML.
+    `lang` is the language of the names in KML, KMZ, GPX and CZML, by default the browser's.
     """
 
     format: ExportFormat
     topics: Annotated[list[TopicName], Field(min_length=1, max_length=100)] | None = None
     from_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
     to_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
-    lang: Language = "es"
+    lang: Language | None = None
 
 
 class Playback(Output):

@@ -15,13 +15,14 @@ from epf_gcs.formats import aircraft_model, czml, gpx_track, kml, kmz
 from epf_gcs.formats.czml import MovingTrack, czml_pieces
 from epf_gcs.formats.gpx_track import TimedTrack, gpx_track_pieces
 from epf_gcs.formats.kml_live import Aircraft, NamedTrack, track_document
-from epf_gcs.formats.kml_words import WORDS, Language, Words
+from epf_gcs.formats.kml_words import WORDS, Words
 from epf_gcs.formats.kmz import kmz_pieces
 from epf_gcs.formats.track_points import HEADER_BYTES, MEDIA_TYPE, points_header
 from epf_gcs.track.track import MAX_POINTS, POINT
 from epf_gcs.track.track_lines import Line, lines_of
 from epf_gcs.track.tracks import Tracks
 from epf_gcs.web.interface.deps import OperatorDep, TracksDep
+from epf_gcs.web.interface.language import LanguageDep
 from epf_gcs.web.interface.missions.file_routes import attachment
 from epf_gcs.web.interface.track.schemas import TrackState
 from epf_gcs.web.serving.problems import problems, reading_problems
@@ -35,7 +36,6 @@ _MODEL_IN_KMZ: Final = "models/aircraft.dae"
 _FLIGHT_COLOUR: Final = (255, 255, 0, 255)
 _HIL_COLOUR: Final = (0, 229, 255, 255)
 
-Lang = Annotated[Language, Query(description="Language of the names in the file.")]
 MostPoints = Annotated[
     int | None, Query(ge=2, le=MAX_POINTS, description="Leave points out evenly so that about this many remain.")
 ]
@@ -78,7 +78,7 @@ async def get_track_points(
 
 
 @router.get("/track.kml", response_class=Response, responses=file_answer(kml.MEDIA_TYPE))
-async def get_track_kml(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_kml(flown: TracksDep, lang: LanguageDep, points: MostPoints = None) -> StreamingResponse:
     """The flown tracks, real and HIL, with their curtains: every point, unless fewer are asked for."""
     words = WORDS[lang]
     tracks = [_drawn(name, lines) for name, lines in _named(flown, words, points)]
@@ -86,7 +86,7 @@ async def get_track_kml(flown: TracksDep, points: MostPoints = None, lang: Lang 
 
 
 @router.get("/track.kmz", response_class=Response, responses=file_answer(kmz.MEDIA_TYPE))
-async def get_track_kmz(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_kmz(flown: TracksDep, lang: LanguageDep, points: MostPoints = None) -> StreamingResponse:
     """The same in one packed file with the aircraft's model, which stands where each track ends."""
     words = WORDS[lang]
     named = _named(flown, words, points)
@@ -99,7 +99,7 @@ async def get_track_kmz(flown: TracksDep, points: MostPoints = None, lang: Lang 
 
 
 @router.get("/track.gpx", response_class=Response, responses=file_answer(gpx_track.MEDIA_TYPE))
-async def get_track_gpx(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_gpx(flown: TracksDep, lang: LanguageDep, points: MostPoints = None) -> StreamingResponse:
     """The flown tracks as GPX 1.1, with the time of every point."""
     words = WORDS[lang]
     tracks = [TimedTrack(name, lines) for name, lines in _named(flown, words, points)]
@@ -114,7 +114,7 @@ async def get_track_gpx(flown: TracksDep, points: MostPoints = None, lang: Lang 
         **reading_problems(),
     },
 )
-async def get_track_czml(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_czml(flown: TracksDep, lang: LanguageDep, points: MostPoints = None) -> StreamingResponse:
     """The flown tracks as CZML: place and time of every point, and the attitude where it was live."""
     words = WORDS[lang]
     ids = (("flight", _FLIGHT_COLOUR), ("hil", _HIL_COLOUR))
