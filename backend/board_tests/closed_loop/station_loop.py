@@ -143,7 +143,7 @@ class StationLoop:
         for datagram in self.simulation.arrived(self.simulation.time_s):
             self.hil.on_datagram(self.change(datagram))
             self._hear()
-            self._loop.run_until_complete(asyncio.sleep(0))
+            self.hil.show()
         if self.time_s - self._ticked_s >= _TICK_S - 1e-9:
             self._ticked_s = self.time_s
             self._line.waiting += self._firmware.send_streams(_HEARTBEAT_TASK)

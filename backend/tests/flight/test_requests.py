@@ -144,7 +144,7 @@ def turn(flight: Flight, profile: str) -> None:
         reading = flight.hil._samples.read(build(Record(*one) for one in rows.items()), 1.7e9 + 0.02 * frame)
         assert reading is not None
         flight.hil._unshown.append(reading)
-    flight.hil._show()
+    flight.hil.show()
 
 
 async def test_on_the_wrong_profile_the_board_gets_neither_the_surfaces_nor_its_autopilot_and_is_told_why(

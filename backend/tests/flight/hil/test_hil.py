@@ -63,7 +63,7 @@ async def test_a_frame_of_the_simulator_becomes_command_50(
     info = board.arguments[board.received.index("xplane_info")]
     expected = (0.25, -0.5, 0.125, 0.75, -0.02, 0.01, 0.03, 270.0, 2.5, -10.25, 1235.75, 512.0, 95.5, 27.9319, -15.3866)
     assert info == struct.unpack("<15f", struct.pack("<15f", *expected))
-    assert station.hil.rows == sorted(ROWS)
+    await eventually_async(lambda: station.hil.rows == sorted(ROWS), "its rows are counted")
     assert station.hil.missing_rows == []
 
 

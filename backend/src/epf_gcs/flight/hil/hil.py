@@ -39,7 +39,8 @@ Source = Literal["joystick", "rc"]
 _COMMAND_50: Final = COMMANDS["xplane_info"]
 # With more bytes queued the line is slower than the simulator: skip the frame, it would be old when it leaves.
 _MAX_BACKLOG_BYTES: Final = 256
-# Judging and showing a frame must not stand in the way of the answer of a board that answers at once.
+# A frame is judged and shown once the board has answered it, or after this long: a board that answers at once does not
+# wait for it.
 _SHOW_AFTER_S: Final = 0.001
 _MOST_UNSHOWN: Final = 256
 
@@ -54,7 +55,7 @@ class Hil:
         self._clock = clock
         self.stick = stick
         self._unshown: deque[Reading] = deque(maxlen=_MOST_UNSHOWN)
-        self._showing = Repeating(asyncio.get_running_loop(), "a frame of the simulator", self._show)
+        self._showing = Repeating(asyncio.get_running_loop(), "a frame of the simulator", self.show)
         # At the newest frame that was shown: the HIL path does not compute it.
         self._was_paused = False
         self.path: Path = "manual"
@@ -169,8 +170,19 @@ class Hil:
             if self.path == "assisted":
                 self._move(Surfaces(*frame.values))
             self.round_trip.answered(now_s, is_counted=not self._was_paused)
+            if self._showing.is_armed:
+                self._showing.hurry()
         elif self.path == "manual" and self.source == "rc":
             self._move(surfaces_from_servos_in(frame.values))
+
+    def show(self) -> None:
+        """Judge the frames that came and send them to the viewers; comes by itself once the control frame has left."""
+        while self._unshown:
+            self._samples.show(self._unshown.popleft())
+        self._was_paused = self.is_paused
+        if self.path == "assisted" and self._samples.is_profile_wrong:
+            self._take_surfaces()
+        self._telemetry.flush()
 
     def _with_stick(self, info: XplaneInfo, now_s: float) -> XplaneInfo:
         """Put the chosen gamepad's position in place of the simulator's joystick, except when emulated."""
@@ -210,15 +222,6 @@ class Hil:
             self.skipped["surfaces_not_finite"] += 1
         elif self.link.send(datagram):
             self.frames_to_simulator += 1
-
-    def _show(self) -> None:
-        """Send the samples to the viewers, after the control frame has left."""
-        while self._unshown:
-            self._samples.show(self._unshown.popleft())
-        self._was_paused = self.is_paused
-        if self.path == "assisted" and self._samples.is_profile_wrong:
-            self._take_surfaces()
-        self._telemetry.flush()
 
     def _take_surfaces(self) -> None:
         """The board flies by wrong angular rates, which crashes the aircraft: the surfaces go to the stick, and until
