@@ -124,6 +124,18 @@ def test_distances_and_climb(found: dict[str, Any]) -> None:
     }
 
 
+@pytest.mark.parametrize("away_s", [0.02, 1.0, 1.7, 30.0])
+def test_a_simulator_that_begins_anew_climbs_and_sinks_at_no_rate(away_s: float) -> None:
+    """It comes back 352 ft higher, at once or after a while; later 900 ft lower. It climbs at 300 ft/min."""
+    t_s = np.arange(0.0, 120.0, 1 / SIMULATOR_HZ)
+    altitude_ft = 500.0 + 5.0 * t_s + 352.0 * (t_s > 40.3) - 900.0 * (t_s > 80.7)
+    kept = ((t_s <= 40.3) | (t_s > 40.3 + away_s)) & ((t_s <= 80.7) | (t_s > 80.7 + away_s))
+    flight = MadeFlight({"simulator": (t_s[kept], {"altitude_msl_ft": altitude_ft[kept]})})
+    found = distances(flight, {})
+    assert found["climb_most_ft_min"] == pytest.approx(300.0, rel=0.01)
+    assert found["sink_most_ft_min"] == 0.0
+
+
 def test_the_battery_at_both_ends_and_what_it_lost_each_hour(found: dict[str, Any]) -> None:
     assert found["battery"]["begin_v"] == pytest.approx(12.6 - 5.0 / 300.0, abs=0.01)
     assert found["battery"]["end_v"] == pytest.approx(11.6 + 5.0 / 300.0, abs=0.01)

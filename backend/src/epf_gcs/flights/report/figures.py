@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any, Final
 
 import numpy as np
@@ -20,6 +21,9 @@ _AIRBORNE_KT: Final = 20.0
 # Shorter hops over that speed are not flight.
 _LEAST_FLIGHT_S: Final = 3.0
 _CLIMB_SPAN_S: Final = 2.0
+# A larger step was not flown: the simulator began anew, or another route was loaded.
+_FASTEST_FT_S: Final = 150.0
+_LEAST_JUMP_FT: Final = 30.0
 _SPEED: Final = (
     ("simulator", "indicated_airspeed_kt", 1.0),
     ("analog", "calibrated_airspeed_kt", 1.0),
@@ -217,14 +221,23 @@ def _longer_than(series: Series, least: float) -> float | None:
 
 
 def _steepest(altitude: Series) -> tuple[float | None, float | None]:
-    """Highest rate of climb and of descent (ft/min, both positive) over two seconds each."""
-    if len(altitude.t_s) < 2 or altitude.t_s[-1] - altitude.t_s[0] < 2 * _CLIMB_SPAN_S:
+    """Highest rate of climb and of descent (ft/min, both positive) over two seconds each, without gaps and jumps."""
+    elapsed_s, step_ft = np.diff(altitude.t_s), np.abs(np.diff(altitude.values))
+    is_jump = (elapsed_s >= _CLIMB_SPAN_S) | (step_ft > _LEAST_JUMP_FT + _FASTEST_FT_S * elapsed_s)
+    ends = [0, *(np.flatnonzero(is_jump) + 1).tolist(), len(altitude.t_s)]
+    flown = [_rates(Series(altitude.t_s[a:b], altitude.values[a:b])) for a, b in pairwise(ends)]
+    rates = np.concatenate(flown)
+    if not len(rates):
         return None, None
+    return max(0.0, float(rates.max())), max(0.0, float(-rates.min()))
+
+
+def _rates(altitude: Series) -> Array:
+    """Rates of climb in ft/min over two seconds each; none where it lasts for less than four."""
+    if len(altitude.t_s) < 2 or altitude.t_s[-1] - altitude.t_s[0] < 2 * _CLIMB_SPAN_S:
+        return np.empty(0)
     even_s = np.arange(altitude.t_s[0], altitude.t_s[-1], _CLIMB_SPAN_S)
     near = np.searchsorted(altitude.t_s, even_s)
     has_samples = np.abs(altitude.t_s[np.minimum(near, len(altitude.t_s) - 1)] - even_s) < _CLIMB_SPAN_S / 2
     rates = np.diff(np.interp(even_s, altitude.t_s, altitude.values)) / _CLIMB_SPAN_S * 60.0
-    rates = rates[has_samples[1:] & has_samples[:-1]]
-    if not len(rates):
-        return None, None
-    return max(0.0, float(rates.max())), max(0.0, float(-rates.min()))
+    return rates[has_samples[1:] & has_samples[:-1]]
