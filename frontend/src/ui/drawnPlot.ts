@@ -1,7 +1,7 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { PLOT_DASHES, plotColour } from "./plotColours";
-import { axisLook, axisWidth, type Look, lookOf, MOST_AXES, scaleOf, sizeOf } from "./plotLook";
+import { axisLook, axisNumber, axisWidth, type Look, lookOf, MOST_AXES, scaleOf, sizeOf } from "./plotLook";
 
 export interface DrawnPlot {
   readonly plot: uPlot;
@@ -49,6 +49,7 @@ export function unitAxes(units: readonly string[], look: Look, noUnit: "" | " ")
     ...axisLook(look),
     scale: scaleOf(unit),
     side: index % 2 === 0 ? 3 : 1,
+    values: (_, splits, _axis, _space, step) => splits.map((split) => axisNumber(split, step)),
     size: (_, values) => axisWidth(values, look.fontSize_px),
     ...(index === 0 ? {} : { grid: { show: false } }),
     ...((unit || noUnit) === ""

@@ -1,4 +1,5 @@
 import type uPlot from "uplot";
+import { formatFixed } from "../lib/format";
 
 /** Width of a digit in the number font. */
 const EM_PER_FIGURE = 0.65;
@@ -77,6 +78,21 @@ export function steady(
     const step = decade * (ROUND.find((round) => round * decade >= raw * (1 - 1e-9)) ?? 10);
     return [Math.floor(from / step) * step, Math.ceil(to / step) * step];
   };
+}
+
+const MOST_DIGITS = 9;
+
+/** A number of an axis, with as many digits as its step has: by itself uPlot writes it in the browser's way. */
+export function axisNumber(value: number, step: number): string {
+  let digits = 0;
+  for (
+    let whole = step;
+    Math.abs(whole - Math.round(whole)) > 1e-6 * whole && digits < MOST_DIGITS;
+    whole *= 10
+  ) {
+    digits += 1;
+  }
+  return formatFixed(value, digits) ?? "";
 }
 
 /** Wide enough for the longest number, and for at least five digits, so that the plot does not jump. */
