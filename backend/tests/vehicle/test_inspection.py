@@ -38,6 +38,12 @@ def test_a_frame_has_its_rate_to_the_hundredth_and_its_times_to_the_thousandth()
     }
 
 
+@pytest.mark.parametrize("name", ["autopilot_parameters", "capabilities", "acknowledgement"])
+def test_what_is_sent_when_asked_for_has_no_jitter(name: str) -> None:
+    (frame,) = inspect_frames([CountedFrame(1, name, 0, None, heard(1.0, 3.0, 90.0))], 91.0)
+    assert (frame.count, frame.jitter_ms) == (3, None)
+
+
 def test_a_frame_that_never_came_has_neither_rate_nor_age() -> None:
     (frame,) = inspect_frames([CountedFrame(1, "ahrs", 0, None, Arrivals())], 5.0)
     assert (frame.count, frame.rate_hz, frame.jitter_ms, frame.age_s) == (0, 0.0, None, None)

@@ -26,7 +26,8 @@ AdviceCode = Literal[
 
 @dataclass(frozen=True, slots=True)
 class InspectedFrame(Shape):
-    """One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals.
+    """One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals, null
+    for what is only sent when asked for.
 
     A type that this gateway does not know is named `unknown_0x…` and has no values.
     """

@@ -14,10 +14,13 @@ from epf_gcs.codec.messages_gen import TELEMETRY, XPLANE_ROWS
 from epf_gcs.contract.inspector import InspectedFrame, InspectedRow
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
+from epf_gcs.vehicle.health import ANSWERS
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.xplane.datagram import Eight
 from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW
 
+# Sent when asked for: the time between two is a person's, and no jitter.
+_ANSWERS: Final = ANSWERS | {message.name for message in TELEMETRY.values() if not message.topic}
 EXPECTED_ROWS: Final = NEEDED_ROWS | {TRACK_ROW}
 
 
@@ -60,7 +63,7 @@ def inspect_frames(frames: Iterable[CountedFrame], now_s: float) -> list[Inspect
             damaged=frame.damaged,
             stale_after_s=frame.stale_after_s,
             values=frame.arrivals.values,
-            **_measured(frame.arrivals, now_s),
+            **_measured(frame.arrivals, now_s, has_period=frame.name not in _ANSWERS),
         )
         for frame in frames
     ]
@@ -86,12 +89,13 @@ def share_percent(bytes_per_s: float, capacity_bytes_per_s: float | None) -> flo
     return round(100.0 * bytes_per_s / capacity_bytes_per_s, 1) if capacity_bytes_per_s else None
 
 
-def _measured(arrivals: Arrivals, now_s: float) -> dict[str, Any]:
+def _measured(arrivals: Arrivals, now_s: float, *, has_period: bool = True) -> dict[str, Any]:
     summary = arrivals.summary(now_s)
+    jitter_ms = summary.jitter_ms if has_period else None
     return {
         "count": summary.count,
         "rate_hz": round(summary.rate_hz, 2),
-        "jitter_ms": None if summary.jitter_ms is None else round(summary.jitter_ms, 3),
+        "jitter_ms": None if jitter_ms is None else round(jitter_ms, 3),
         "age_s": None if summary.age_s is None else round(summary.age_s, 3),
     }
 
