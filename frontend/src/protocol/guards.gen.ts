@@ -924,10 +924,12 @@ export type JobResult = Checked<typeof isJobResult>;
 
 /** Work of a separate process. `progress` is 0 to 1; `doing` is a stable word for the step it is at.
  *
- * `flight` is null while an imported file has no id yet. `result` is null unless the job made a file. */
+ * `flight` is null while an imported file has no id yet. `file` is the name of the file that it
+ * makes, null for one that makes none; `result` is null until it is made. */
 export const isJob = shape({
   doing: isText,
   fault: nullable(isFault),
+  file: nullable(isText),
   flight: nullable(isText),
   id: isText,
   kind: oneOf("pack", "index", "keys", "import", "export", "report"),
@@ -1098,7 +1100,8 @@ export const isImportedWaypoint = shape({
 });
 export type ImportedWaypoint = Checked<typeof isImportedWaypoint>;
 
-/** One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals.
+/** One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals, null
+ * for what is only sent when asked for.
  *
  * A type that this gateway does not know is named `unknown_0x…` and has no values. */
 export const isInspectedFrame = shape({

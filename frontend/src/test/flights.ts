@@ -84,6 +84,7 @@ export function aJob(parts: Partial<Job> = {}): Job {
     state: "running",
     progress: 0.25,
     doing: "csv",
+    file: "20231114T100000Z.csv.zip",
     fault: null,
     result: null,
     ...parts,

@@ -78,6 +78,7 @@ class Job:
             "state": self.state,
             "progress": self.progress,
             "doing": self.doing,
+            "file": self.result_name or None,
             "fault": None if fault is None else fault.as_dict(),
             "result": {"name": self.result_name, "bytes": self.result.stat().st_size}
             if is_there and self.result is not None

@@ -127,7 +127,12 @@ describe("an export", () => {
     await wish.answer({ job: "0123456789ab" }, 202);
     tell({ progress: 0.75 });
     expect(within(transfers()).getByRole("progressbar").getAttribute("value")).toBe("0.75");
+    expect(transfers().textContent, "two of one flight are told apart").toContain(
+      "Exportando 20231114T100000Z.csv.zip",
+    );
     tell({ state: "done", progress: 1, result: { name: "vuelo.zip", bytes: 4_200_000 } });
+    station.pass(6000);
+    expect(station.page.messages.getState().last?.key).toBe("flights.saidExported");
     // The answer to the first question of how far it is comes late.
     await newest("GET", /jobs\/0123456789ab$/).answer(aJob({ progress: 0.1 }));
     const link = within(transfers()).getByRole("link", { name: "Descargar vuelo.zip (4.20 MB)" });
@@ -149,7 +154,7 @@ describe("an export", () => {
     await user.click(screen.getByRole("button", { name: "Exportar" }));
     expect(newest("POST", /exports$/).body).toMatchObject({ format: "mcap", from_s: null, to_s: null });
     tell({});
-    await user.click(screen.getByRole("button", { name: `Cancelar ${FIRST.id}` }));
+    await user.click(screen.getByRole("button", { name: "Cancelar 20231114T100000Z.csv.zip" }));
     await newest("DELETE", /jobs\/0123456789ab$/).answer(aJob({ state: "cancelled" }));
     expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
   });

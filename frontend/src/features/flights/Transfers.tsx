@@ -79,7 +79,7 @@ function JobRow({ job, file }: { readonly job: Job; readonly file: string | null
   const { t } = useTranslation();
   const sentence = useSentence();
   const { dismissJob, select } = usePart(FLIGHTS);
-  const name = file ?? job.flight ?? "";
+  const name = file ?? job.file ?? job.flight ?? "";
   const isExport = job.kind === "export";
   if (job.state === "failed") {
     return (

@@ -44,9 +44,10 @@ export function createFlights(parts: Parts): {
   readonly flights: Flights;
   readonly takeFlightEvent: (event: StreamEvent) => void;
 } {
-  const { rest, timers, connection, openFlight, play, onGone, openReport } = parts;
+  const { rest, timers, messages, connection, openFlight, play, onGone, openReport } = parts;
   const { run } = createAsking(parts);
   const store = createLibrary();
+  const ownExports = new Set<string>();
   let asked = 0;
   let cancelTyping: () => void = () => undefined;
 
@@ -138,7 +139,11 @@ export function createFlights(parts: Parts): {
     }
   }
 
-  function ended({ id, kind, state, flight }: Job): void {
+  function ended({ id, kind, state, flight, result }: Job): void {
+    // Its link may be out of sight: the list can be scrolled.
+    if (result !== null && ownExports.delete(id)) {
+      messages.announce(info("flights.saidExported", { name: result.name }));
+    }
     if (kind === "import" && state === "done" && flight !== null && id in store.getState().files) {
       select(flight, false);
     }
@@ -252,7 +257,7 @@ export function createFlights(parts: Parts): {
       }),
 
     ...createFlightMarks({ rest, store, run }),
-    ...createFlightTransfers({ rest, store, run, onJob: takeJob }),
+    ...createFlightTransfers({ rest, store, run, onJob: takeJob, onExport: (job) => ownExports.add(job) }),
   };
   return { flights, takeFlightEvent };
 }

@@ -10,6 +10,8 @@ interface Parts {
   readonly run: Requester["run"];
   /** A job as the gateway has it now. */
   readonly onJob: (job: Job) => void;
+  /** This page asked for an export. */
+  readonly onExport: (job: string) => void;
 }
 
 /** Files to and from the library: sending recordings, exports and their jobs. */
@@ -18,6 +20,7 @@ export function createFlightTransfers({
   store,
   run,
   onJob,
+  onExport,
 }: Parts): Pick<Flights, "importFile" | "cancelUpload" | "export" | "cancelJob" | "dismissJob"> {
   const cancels = new Map<number, AbortController>();
   let next = 0;
@@ -89,6 +92,7 @@ export function createFlightTransfers({
           to_s,
         }),
         ({ job }) => {
+          onExport(job);
           void readJob(job);
           return { state: "confirmed", message: info("flights.saidExporting") };
         },

@@ -52,6 +52,7 @@ def test_an_export_is_a_job_whose_file_is_fetched(gateway: Gateway, flight: str)
         while (told := stream.event("job"))["id"] != job_id or told["state"] != "done":
             assert told["state"] != "failed", told
     assert (told["kind"], told["flight"], told["progress"]) == ("export", flight, 1.0)
+    assert gateway.http.get(f"/jobs/{job_id}").json()["file"] == f"{flight}-gps.csv", "known before it is made"
     assert told["result"]["name"] == f"{flight}-gps.csv"
     answer = gateway.http.get(f"/jobs/{job_id}/result").raise_for_status()
     assert len(answer.content) == told["result"]["bytes"]

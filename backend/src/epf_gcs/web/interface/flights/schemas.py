@@ -58,7 +58,8 @@ class JobResult(Output):
 class Job(Output):
     """Work of a separate process. `progress` is 0 to 1; `doing` is a stable word for the step it is at.
 
-    `flight` is null while an imported file has no id yet. `result` is null unless the job made a file.
+    `flight` is null while an imported file has no id yet. `file` is the name of the file that it
+    makes, null for one that makes none; `result` is null until it is made.
     """
 
     id: str
@@ -67,6 +68,7 @@ class Job(Output):
     state: JobState
     progress: float
     doing: str
+    file: str | None
     fault: Fault | None
     result: JobResult | None
 
