@@ -105,3 +105,27 @@ test("ten labels that must be read find room around one place", () => {
   }));
   expect(placeLabels(wanted, NOBODY).size).toBe(10);
 });
+
+test.each(SEEDS)(
+  "no label is cut at the edge of the picture, and one that must be read looks for room (%i)",
+  (seed) => {
+    const within = { left: 0, top: 0, right: 900, bottom: 600 };
+    const wanted = crowd(seed, 60);
+    const placed = placeLabels(wanted, NOBODY, [], within);
+    const cut = [...placed.values()].filter(
+      ({ box }) => box.left < 0 || box.top < 0 || box.right > 900 || box.bottom > 600,
+    );
+    expect(cut).toEqual([]);
+    expect(placed.size).toBeGreaterThan(20);
+    const corner = {
+      key: "corner",
+      rank: 1,
+      at: { x: 899, y: 1 },
+      width: 90,
+      height: 14,
+      away_px: 6,
+      isSought: true,
+    };
+    expect(placeLabels([corner], NOBODY, [], within).size).toBe(1);
+  },
+);

@@ -39,15 +39,18 @@ const GAP_PX = 2;
 const RING_SIDES = 8;
 const RINGS = 5;
 const GRID_PX = 96;
+const EVERYWHERE: LabelBox = { left: -Infinity, top: -Infinity, right: Infinity, bottom: Infinity };
 
 /**
  * Place labels so that no two boxes meet: the highest ranks first, each on the first of its sides that is free; one
- * without a free side is left out. `before` is where each was in the last picture; `taken` is left free.
+ * without a free side is left out. `before` is where each was in the last picture; `taken` is left free. No label reaches
+ * over the edge of `within`: what is left of "27°55′N" there is another latitude.
  */
 export function placeLabels(
   wanted: readonly WantedLabel[],
   before: ReadonlyMap<string, PlacedLabel>,
   taken: readonly LabelBox[] = [],
+  within: LabelBox = EVERYWHERE,
 ): Map<string, PlacedLabel> {
   const ground = new OccupiedBoxes();
   for (const box of taken) {
@@ -59,7 +62,8 @@ export function placeLabels(
   );
   const placed = new Map<string, PlacedLabel>();
   for (const label of ordered) {
-    const found = placed.has(label.key) ? null : freeSide(label, before.get(label.key)?.side ?? null, ground);
+    const last = before.get(label.key)?.side ?? null;
+    const found = placed.has(label.key) ? null : freeSide(label, last, ground, within);
     if (found !== null) {
       placed.set(label.key, found);
       ground.take(found.box);
@@ -68,12 +72,17 @@ export function placeLabels(
   return placed;
 }
 
-function freeSide(label: WantedLabel, last: number | null, ground: OccupiedBoxes): PlacedLabel | null {
+function freeSide(
+  label: WantedLabel,
+  last: number | null,
+  ground: OccupiedBoxes,
+  within: LabelBox,
+): PlacedLabel | null {
   const sides = sidesOf(label);
   const order = last === null ? sides.keys() : [last, ...sides.keys()];
   for (const side of order) {
     const box = sides[side];
-    if (box !== undefined && ground.isFree(box)) {
+    if (box !== undefined && isInside(box, within) && ground.isFree(box)) {
       return { side, box };
     }
   }
@@ -110,6 +119,15 @@ export function sidesOf({ at, width, height, away_px, isSought }: WantedLabel): 
     }
   }
   return sides;
+}
+
+function isInside(box: LabelBox, within: LabelBox): boolean {
+  return (
+    box.left >= within.left &&
+    box.top >= within.top &&
+    box.right <= within.right &&
+    box.bottom <= within.bottom
+  );
 }
 
 /** Whether two boxes are nearer to each other than the gap. */

@@ -46,7 +46,12 @@ export class LabelSheet {
     const wanted = near.map((text): WantedLabel => ({ ...text, ...this.#sprites.sizeOf(text, ratio) }));
     // No name lies over an aircraft or a waypoint.
     const taken = near.filter(({ isSought }) => isSought).map(({ at }) => markBox(at));
-    this.#placed = placeLabels(wanted, this.#placed, taken);
+    this.#placed = placeLabels(wanted, this.#placed, taken, {
+      left: 0,
+      top: 0,
+      right: width_px,
+      bottom: height_px,
+    });
     // What matters most is drawn last.
     this.#shown = near.filter(({ key }) => this.#placed.has(key)).sort((one, other) => one.rank - other.rank);
   }
