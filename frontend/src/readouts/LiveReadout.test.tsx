@@ -1,6 +1,6 @@
 import { act, screen, within } from "@testing-library/react";
 import { expect, test } from "vitest";
-import { chooseUnit } from "../store/chosenUnits";
+import { AS_SENT, chooseUnit } from "../store/chosenUnits";
 import { Station } from "../test/station";
 import { Tab } from "../test/tab";
 
@@ -21,8 +21,11 @@ function flying(): Station {
   return station;
 }
 
-test("a number stands in the unit in which it came until another is chosen", () => {
-  flying();
+test("a quantity has its usual unit until another is chosen, whatever the board sends", () => {
+  const station = flying();
+  expect(reading("Analog", "Altura")).toBe("1000 ft");
+  act(() => chooseUnit(station.page.settings, "altitude", AS_SENT));
+  station.show();
   expect(reading("Analog", "Altura")).toBe("304.8 m");
   expect(reading("Analog", "Speed")).toBe("100.0 kt");
 });

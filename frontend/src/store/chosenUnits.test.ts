@@ -12,11 +12,15 @@ import {
 import { createSettings } from "./settings";
 
 describe("the chosen unit", () => {
-  test("is that of the sender until somebody chooses", () => {
+  test("is the usual one until somebody chooses; a distance keeps the sender's", () => {
     const settings = createSettings(null, []);
-    expect(QUANTITIES.map((quantity) => unitChoice(settings.getState(), quantity))).toEqual(
-      QUANTITIES.map(() => AS_SENT),
-    );
+    expect(QUANTITIES.map((quantity) => unitChoice(settings.getState(), quantity))).toEqual([
+      "ft",
+      "kt",
+      "ftPerMin",
+      AS_SENT,
+      "degC",
+    ]);
   });
 
   test("of one quantity leaves the others alone, and goes back", () => {
@@ -31,7 +35,7 @@ describe("the chosen unit", () => {
   test("that the quantity does not have is no choice", () => {
     const settings = createSettings(null, []);
     chooseUnit(settings, "altitude", "kt");
-    expect(unitChoice(settings.getState(), "altitude")).toBe(AS_SENT);
+    expect(unitChoice(settings.getState(), "altitude")).toBe("ft");
   });
 });
 

@@ -31,7 +31,7 @@ const UNITS: Readonly<Record<Quantity, ReadonlyArray<readonly [UnitName, number]
   ],
 };
 
-/** No choice: each number keeps the unit in which it was sent. */
+/** Each number keeps the unit in which it was sent. */
 export const AS_SENT = "sent";
 export type UnitChoice = UnitName | typeof AS_SENT;
 
@@ -49,8 +49,22 @@ export function unitDigits(quantity: Quantity, unit: UnitName): number {
   return UNITS[quantity].find(([name]) => name === unit)?.[1] ?? 0;
 }
 
+/**
+ * Until somebody chooses, a quantity has one unit on every screen, whatever the board and the simulator send. Distances
+ * keep theirs: metres near the aircraft, miles of a whole flight.
+ */
+const UNCHOSEN: Readonly<Record<Quantity, UnitChoice>> = {
+  altitude: usualUnit("altitude"),
+  speed: usualUnit("speed"),
+  verticalSpeed: usualUnit("verticalSpeed"),
+  distance: AS_SENT,
+  temperature: usualUnit("temperature"),
+};
+
 export function unitChoice({ choices }: Settings, quantity: Quantity): UnitChoice {
-  return unitsOf(quantity).find((unit) => unit === choices[`unit.${quantity}`]) ?? AS_SENT;
+  const chosen = choices[`unit.${quantity}`];
+  const units: readonly UnitChoice[] = [AS_SENT, ...unitsOf(quantity)];
+  return units.find((unit) => unit === chosen) ?? UNCHOSEN[quantity];
 }
 
 export function chooseUnit(store: SettingsStore, quantity: Quantity, unit: UnitChoice): void {

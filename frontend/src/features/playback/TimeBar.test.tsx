@@ -180,7 +180,7 @@ describe("the past", () => {
     const station = inThePast();
     station.send({ analog: { altitude_m: 152.4 } });
     const strip = screen.getByRole("region", { name: "El presente" });
-    expect(strip.textContent).toContain("152.4");
+    expect(strip.textContent).toContain("500ft");
     fireEvent.click(within(strip).getByRole("button", { name: "Volver a ahora" }));
     expect(screen.queryByRole("region", { name: "El presente" })).toBeNull();
   });

@@ -52,7 +52,7 @@ describe("Standard Six", () => {
     expect(dial("Indicador de rumbo").dataset).toMatchObject({ headingDeg: "350.0", bearingDeg: "42.0" });
     expect(dial("Velocidad vertical").dataset["verticalSpeedFtMin"]).toBe("-700");
     expect(source("Velocidad")).toBe("Analog · Speed55.0kt");
-    expect(source("Altímetro GPS")).toBe("GPS · Altura609.6m");
+    expect(source("Altímetro GPS")).toBe("GPS · Altura2000ft");
   });
 
   test("crosses an instrument out when its stream stops, and not the others", () => {
