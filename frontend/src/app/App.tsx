@@ -149,7 +149,7 @@ function Window() {
                 <AhrsTestBanner />
                 <SourceBanner />
                 <PageContext value={present}>
-                  <AlarmBar />
+                  <AlarmBar isBesidePast={isPast} />
                 </PageContext>
               </div>
               <div className="app-middle">

@@ -117,3 +117,24 @@ test("the settings hold at once and are remembered", () => {
   expect([choices["unit.distance"], choices["motion"]]).toEqual(["km", "less"]);
   expect(document.documentElement.dataset["motion"]).toBe("less");
 });
+
+test("beside the past the alarms say that they are the present's, and no tab counts them", () => {
+  const station = flying();
+  const alarm = {
+    id: "heartbeat_lost",
+    level: "critical",
+    since_s: 1,
+    until_s: 5,
+    text: "",
+    params: {},
+    acknowledged: false,
+    count: 1,
+  } as const;
+  station.status(aStatus({ alarms: [alarm] }));
+  const strip = screen.getByRole("region", { name: "Alarmas" });
+  expect(strip.textContent).not.toContain("AHORA");
+  expect(document.querySelectorAll(".alarms-unseen")).toHaveLength(1);
+  station.openFlight("20260131T120000Z", 10);
+  expect(strip.textContent).toMatch(/^AHORA.*latido perdido/);
+  expect(document.querySelectorAll(".alarms-unseen")).toHaveLength(0);
+});

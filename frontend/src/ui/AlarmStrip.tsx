@@ -36,6 +36,10 @@ interface EndOfAlarm {
 
 interface Props {
   label: string;
+  /** Which time it tells of, where that is not plain. */
+  when?: string | undefined;
+  /** What stands in the strip while there is nothing to tell. */
+  quiet: string;
   ended: EndOfAlarm;
   /** The most urgent first. */
   alarms: readonly AlarmItem[];
@@ -45,7 +49,7 @@ interface Props {
   children?: ReactNode;
 }
 
-/** So many alarms have a line; the others are heard by screen readers and are counted. */
+/** So many alarms have a place; the others are heard by screen readers and are counted. */
 export const LINES = 2;
 /** Most ended alarms that are shown beside the active ones. */
 const CHIPS = 3;
@@ -56,12 +60,14 @@ export function endedWithoutPlace(alarms: number, ended: number): number {
 }
 
 /**
- * The alarms in force, never higher than two lines: the page under it must stay where the eye knows it. The two live
+ * The alarms in force, in a place of one height, with or without alarms: a hand that is on its way to a button must find it
+ * where it was. In a wide window two stand side by side; what a narrow one has no room for lies over the page. The two live
  * regions are always in the document: a region that appears together with its text is not read out by every reader.
  */
-export function AlarmStrip({ label, alarms, ended, acknowledge, children }: Props) {
+export function AlarmStrip({ label, when, quiet, alarms, ended, acknowledge, children }: Props) {
   const seen = alarms.slice(0, LINES);
   const hasTraces = ended.items.length > 0 && seen.length < LINES;
+  const isQuiet = alarms.length + ended.items.length === 0;
   const lines = (wanted: AlarmItem["level"]): ReactNode =>
     alarms
       .filter(({ level }) => level === wanted)
@@ -69,17 +75,21 @@ export function AlarmStrip({ label, alarms, ended, acknowledge, children }: Prop
         <AlarmLine key={alarm.id} alarm={alarm} isSeen={seen.includes(alarm)} acknowledge={acknowledge} />
       ));
   return (
-    <section className="ui-alarms" aria-label={label} data-lines={seen.length + (hasTraces ? 1 : 0)}>
-      <div className="ui-alarms-lines">
-        <div role="alert" aria-atomic="false" aria-relevant="additions">
-          {lines("critical")}
+    <section className="ui-alarms" aria-label={label}>
+      <div className="ui-alarms-body">
+        {when !== undefined && <strong className="ui-alarms-when">{when}</strong>}
+        <div className="ui-alarms-lines">
+          <div role="alert" aria-atomic="false" aria-relevant="additions">
+            {lines("critical")}
+          </div>
+          <div role="status" aria-atomic="false" aria-relevant="additions">
+            {lines("warning")}
+          </div>
+          {hasTraces && <Traces {...ended} />}
+          {isQuiet && <p className="ui-alarms-quiet">{quiet}</p>}
         </div>
-        <div role="status" aria-atomic="false" aria-relevant="additions">
-          {lines("warning")}
-        </div>
-        {hasTraces && <Traces {...ended} />}
+        {!isQuiet && <div className="ui-alarms-actions">{children}</div>}
       </div>
-      {alarms.length + ended.items.length > 0 && <div className="ui-alarms-actions">{children}</div>}
     </section>
   );
 }

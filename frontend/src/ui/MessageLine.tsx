@@ -13,14 +13,13 @@ interface Props {
   className?: string | undefined;
 }
 
-/** The newest message in one line of the status bar; the whole text is in the tooltip. */
+/**
+ * The newest message in one line of the status bar; the whole text is in the tooltip. The way to all of them stands before
+ * it, where neither its length nor what is beside it moves it.
+ */
 export function MessageLine({ label, text, level = "info", time, action, className }: Props) {
   return (
     <div className={className === undefined ? "ui-message-row" : `ui-message-row ${className}`}>
-      <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>
-        {time !== undefined && <span className="ui-message-time">{time}</span>}
-        <span className="ui-message-text">{text}</span>
-      </div>
       {action !== undefined && (
         <button
           type="button"
@@ -32,6 +31,10 @@ export function MessageLine({ label, text, level = "info", time, action, classNa
           <ScrollText size={14} aria-hidden="true" />
         </button>
       )}
+      <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>
+        {time !== undefined && <span className="ui-message-time">{time}</span>}
+        <span className="ui-message-text">{text}</span>
+      </div>
     </div>
   );
 }

@@ -88,7 +88,9 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
                 onClick={() => isAskedAgain(option) && ask(option)}
               />
               {option.icon}
-              <span>{option.label}</span>
+              <span className="ui-switch-text" data-text={option.label}>
+                {option.label}
+              </span>
             </label>
           ))}
         </span>

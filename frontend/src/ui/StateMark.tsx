@@ -10,15 +10,12 @@ const ICONS = {
   sent: Send,
 } as const;
 
-/** The mark of a command's state; its words are shown elsewhere. */
+/** The mark of a command's state; its words are shown elsewhere. It keeps its place, so that nothing beside it moves. */
 export function StateMark({ state }: { state: CommandState }) {
-  if (state === "idle") {
-    return null;
-  }
-  const Icon = ICONS[state];
+  const Icon = state === "idle" ? null : ICONS[state];
   return (
     <span className="ui-mark" data-state={state} aria-hidden="true">
-      <Icon size={14} strokeWidth={2.25} />
+      {Icon !== null && <Icon size={14} strokeWidth={2.25} />}
     </span>
   );
 }

@@ -38,6 +38,7 @@ function Everything() {
       <h1>Controls</h1>
       <AlarmStrip
         label="Alarms"
+        quiet="none"
         alarms={[
           { id: "a", level: "critical", text: "lost", detail: "4 s", acknowledged: false },
           { id: "b", level: "warning", text: "low", acknowledged: true },
@@ -47,6 +48,7 @@ function Everything() {
       />
       <AlarmStrip
         label="Ended"
+        quiet="none"
         alarms={[]}
         ended={ENDED}
         acknowledge={{ label: (text) => `know ${text}`, text: "know", onPress: nothing }}

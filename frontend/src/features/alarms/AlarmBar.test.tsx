@@ -79,7 +79,7 @@ describe("an alarm that recovered before anybody acknowledged it", () => {
     ]);
     expect(traces()).toHaveLength(1);
     raise(station);
-    expect(strip().textContent).toBe("");
+    expect(strip().textContent).toBe("Ninguna alarma.");
   });
 
   test("cannot be acknowledged by who has no control, and says why", async () => {
@@ -182,7 +182,7 @@ describe("a board that started anew", () => {
     }
     expect(station.sounder.played.length).toBeGreaterThan(1);
     await user.click(within(strip()).getByRole("button", { name: /^Reconocer: La placa se ha reiniciado/ }));
-    expect(strip().textContent).toBe("");
+    expect(strip().textContent).toBe("Ninguna alarma.");
     expect(station.asked).toEqual([]);
     expect(station.page.parts.get(ALARM_LOG).store.getState().ownPast).toMatchObject([
       { id: "board_restarted", acknowledged: true },

@@ -10,8 +10,8 @@ import { MuteButton } from "./MuteButton";
 import { withCount } from "./raisedAlarms";
 import { blockedAmong, useActiveAlarms, useEndedAlarms } from "./useAlarms";
 
-/** What is wrong now, on every tab, with what can be done about it. */
-export function AlarmBar() {
+/** What is wrong now, on every tab, with what can be done about it. `isBesidePast`: all around it is the past. */
+export function AlarmBar({ isBesidePast = false }: { readonly isBesidePast?: boolean }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const alarmLog = usePart(ALARM_LOG);
@@ -24,6 +24,8 @@ export function AlarmBar() {
   return (
     <AlarmStrip
       label={t("alarms.label")}
+      when={isBesidePast ? t("alarms.present") : undefined}
+      quiet={t("alarmLog.none")}
       alarms={alarms.map(({ id, level, text, acknowledged, since_s, count, blocked }) => ({
         id,
         level,

@@ -301,3 +301,10 @@ test("with more alarms than two lines the strip counts the others and leads to t
   await user.click(within(strip).getByRole("button", { name: "Ver la lista: hay 2 alarmas más" }));
   expect(screen.getByRole("tab", { name: "Alarmas" }).getAttribute("aria-selected")).toBe("true");
 });
+
+test("in the past nothing is said of this browser's sound: only the present is heard", () => {
+  expect(panel("Sonido y voz").textContent).not.toContain("no puede sonar");
+  station.openFlight("20260131T120000Z", 10);
+  expect(screen.queryByText(/no puede sonar/)).toBeNull();
+  expect(screen.queryByRole("region", { name: "Sonido y voz" })).toBeNull();
+});

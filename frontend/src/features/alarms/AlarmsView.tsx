@@ -1,11 +1,13 @@
+import { usePage } from "../../store/hooks";
 import { ActiveAlarms } from "./ActiveAlarms";
 import "./alarms.css";
 import { PastAlarms } from "./PastAlarms";
 import { SoundSettings } from "./SoundSettings";
 import { Thresholds } from "./Thresholds";
 
-/** "Alarmas": active and past alarms, their thresholds, sound and speech. */
+/** "Alarmas": active and past alarms, their thresholds, sound and speech. Only the present is heard. */
 export function AlarmsView() {
+  const { past } = usePage();
   return (
     <div className="alarms">
       <div className="alarms-lists">
@@ -13,7 +15,7 @@ export function AlarmsView() {
         <PastAlarms />
       </div>
       <div className="alarms-settings">
-        <SoundSettings />
+        {past === null && <SoundSettings />}
         <Thresholds />
       </div>
     </div>

@@ -1,3 +1,4 @@
+import { usePage } from "../../store/hooks";
 import { useActiveAlarms, useEndedAlarms } from "./useAlarms";
 import "./unseen.css";
 
@@ -9,8 +10,10 @@ const MOST = 9;
  * most urgent one's. Silent for screen readers: the strip of alarms above every tab says each.
  */
 export function UnseenAlarms() {
+  const { past } = usePage();
   const unseen = [...useActiveAlarms().filter(({ acknowledged }) => !acknowledged), ...useEndedAlarms()];
-  if (unseen.length === 0) {
+  // In the past there is nothing to acknowledge, and the present's have their strip.
+  if (past !== null || unseen.length === 0) {
     return null;
   }
   const isCritical = unseen.some(({ level }) => level === "critical");

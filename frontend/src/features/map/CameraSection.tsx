@@ -12,6 +12,7 @@ import { usePaint } from "../../store/usePaint";
 import { Checkbox } from "../../ui/Checkbox";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
+import { useWords } from "../../ui/words";
 import { type AircraftState, showing } from "./aircraft/aircraftFeed";
 import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./aircraft/useFlightScene";
 import { FoldingPanel } from "./panels/FoldingPanel";
@@ -124,9 +125,10 @@ function Eye({ scene }: { scene: FlightScene | null }) {
 /** One line per aircraft: live, a ghost, or why it is not drawn. */
 function HowShown({ aircraft, name }: { aircraft: Aircraft; name: string }) {
   const { t } = useTranslation();
+  const { live } = useWords();
   const how: AircraftState = useTelemetry((telemetry, now_ms) => showing(telemetry, aircraft, now_ms));
   const reason = {
-    live: t("words.live"),
+    live,
     stale: t("map.view.ghost"),
     noAttitude: t("map.view.noAttitude"),
     noPosition: t("map.view.noPosition"),
