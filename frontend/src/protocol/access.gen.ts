@@ -107,6 +107,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/map/online/cache", method: "DELETE", tag: "maps", least: "operator", control: true },
   { path: "/missions/export", method: "POST", tag: "missions", least: "viewer", control: false },
   { path: "/missions/import", method: "POST", tag: "missions", least: "operator", control: false },
+  { path: "/missions/rehearsal", method: "POST", tag: "missions", least: "operator", control: false },
   { path: "/missions/{plan}", method: "GET", tag: "missions", least: "viewer", control: false },
   { path: "/missions/{plan}", method: "PUT", tag: "missions", least: "operator", control: true },
   { path: "/parameters", method: "GET", tag: "parameters", least: "viewer", control: false },

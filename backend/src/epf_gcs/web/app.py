@@ -41,6 +41,7 @@ from epf_gcs.web.interface.links import routes as links
 from epf_gcs.web.interface.maps import online_routes as online_maps
 from epf_gcs.web.interface.maps import routes as maps
 from epf_gcs.web.interface.missions import file_routes as mission_files
+from epf_gcs.web.interface.missions import rehearsal_routes as mission_rehearsals
 from epf_gcs.web.interface.missions import routes as missions
 from epf_gcs.web.interface.parameters import routes as parameters
 from epf_gcs.web.interface.recordings import routes as recordings
@@ -73,6 +74,7 @@ def _interface() -> APIRouter:
         ahrs_test,
         parameters,
         mission_files,
+        mission_rehearsals,
         missions,
         earth,
         track,

@@ -33,6 +33,7 @@ from epf_gcs.library.policy import PolicyChoice
 from epf_gcs.library.queries import Queries
 from epf_gcs.maps.maps import Maps
 from epf_gcs.recordings.places import Places
+from epf_gcs.rehearsal.rehearsals import Rehearsals
 from epf_gcs.repeating import keep_alive, log_and_count_failures, repeat
 from epf_gcs.surroundings.kept import KeptSurroundings
 from epf_gcs.surroundings.watch import Surroundings
@@ -106,6 +107,7 @@ class Station:
             "flight_queries": self.queries,
             "flight_imports": FlightImports(self.flights),
             "checklist": KeptChecklist(data_dir),
+            "rehearsals": Rehearsals(self.maps),
             "surroundings": self.surroundings,
             "hub": self.hub,
             "clock": self.clock,

@@ -23,6 +23,7 @@ from epf_gcs.library.flights import Flights
 from epf_gcs.library.imports import FlightImports
 from epf_gcs.library.queries import Queries
 from epf_gcs.maps.maps import Maps
+from epf_gcs.rehearsal.rehearsals import Rehearsals
 from epf_gcs.surroundings.watch import Surroundings
 from epf_gcs.track.tracks import Tracks
 from epf_gcs.web.checklist.checklist_store import KeptChecklist
@@ -59,6 +60,8 @@ ImportsDep = Annotated[FlightImports, _part("flight_imports")]
 InspectorDep = Annotated[SharedInspector, _part("inspector")]
 RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
 ChecklistDep = Annotated[KeptChecklist, _part("checklist")]
+RehearsalsDep = Annotated[Rehearsals, _part("rehearsals")]
+"""Flies plans in a model before they are sent."""
 SurroundingsDep = Annotated[Surroundings, _part("surroundings")]
 HubDep = Annotated[Hub, _part("hub")]
 """Tells all viewers."""

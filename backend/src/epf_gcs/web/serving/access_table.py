@@ -69,6 +69,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("PUT", "/missions/{plan}"): _command("plan"),
     ("POST", "/missions/export"): _SEES,
     ("POST", "/missions/import"): Entry(_operator),
+    ("POST", "/missions/rehearsal"): Entry(_operator),
     ("GET", "/alarms"): _SEES,
     ("GET", "/checklist"): _SEES,
     ("PUT", "/checklist"): Entry(_operator, deed="checklist"),
