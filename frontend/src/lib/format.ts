@@ -49,6 +49,12 @@ export function formatAge(age_s: number): string {
 
 const SIZES = ["B", "kB", "MB", "GB", "TB"] as const;
 
+/** Minutes and seconds: "12:05". */
+export function formatMinutes(time_s: number): string {
+  const whole = Math.round(time_s);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+}
+
 /** Bytes with decimal prefixes, three significant digits. */
 export function formatBytes(bytes: number): string {
   let value = bytes;

@@ -1,16 +1,18 @@
 import { Upload } from "lucide-react";
-import { type ReactNode, useState } from "react";
+import { type ReactNode, useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { sameRow, type Waypoint } from "../lib/plan";
-import type { PlanIssue } from "../lib/planCheck";
+import type { PlanFault } from "../lib/planCheck";
 import type { PlanName } from "../protocol/missions";
 import { useAsked } from "../requests/useAsked";
-import { usePart, useTelemetry } from "../store/hooks";
+import { usePage, usePart, useTelemetry } from "../store/hooks";
 import { Button } from "../ui/Button";
 import { ConfirmDialog } from "../ui/ConfirmDialog";
 import { hazardsOf, MISSIONS, usePlans } from "./planDrafts";
 import { PLAN } from "./planFacts";
+import { type FlownIssue, flownIssues, type RehearsalEnd } from "./rehearsal";
 import { useIssueText } from "./useIssueText";
+import { useRehearsal, useRehearsalText } from "./useRehearsal";
 
 interface Props {
   plan: PlanName;
@@ -22,59 +24,94 @@ interface Props {
 
 /**
  * Sends the edited plan. The board starts a received plan at waypoint 1: if it flies a plan now, ask first whether it
- * should go on to its present waypoint. A plan that leaves the fence or meets the ground is asked about before.
+ * should go on to its present waypoint. Then the plan is flown in the model; where that found something, or was not
+ * done, or the plan has hazards by its geometry, ask before it is sent.
  */
 export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const { t } = useTranslation();
-  const issueText = useIssueText();
   const missions = usePart(MISSIONS);
+  const { messages } = usePage();
+  const issueText = useIssueText();
+  const rehearsalText = useRehearsalText();
+  const { isFlying, fly } = useRehearsal(plan);
   const control = `plan.upload.${plan}`;
   const { state, stateText } = useAsked(control);
   const now = useFlown(plan, onBoard);
   const [asked, setAsked] = useState<FlightInProgress | null>(null);
   // What an open question offers stays under the finger when the stream ends; it follows the board while that is known.
   const flown = asked === null || (now.row !== null && asked.row !== null) ? now : asked;
+  const [found, setFound] = useState<Found | null>(null);
+  const isShown = useRef(true);
+  useEffect(() => {
+    isShown.current = true;
+    return () => {
+      isShown.current = false;
+    };
+  }, []);
 
-  const hazards = usePlans((plans) => hazardsOf(plans[plan]));
-  const [found, setFound] = useState<readonly PlanIssue[]>([]);
+  async function rehearse(goOnTo: number | null): Promise<void> {
+    setAsked(null);
+    messages.say({ level: "info", key: "rehearsal.flying", params: {} });
+    const draft = (): readonly Waypoint[] => missions.plans.getState()[plan].draft.present;
+    let of = draft();
+    let end = await fly(goOnTo ?? 0);
+    while (of !== draft()) {
+      // Edited meanwhile: what is sent is what was flown.
+      of = draft();
+      end = await fly(goOnTo ?? 0);
+    }
+    const sentences = sentencesOf(end);
+    if (end.answer.ok && sentences.length === 0) {
+      messages.say({ level: "info", key: "rehearsal.saidClean", params: { what: rehearsalText(end) } });
+      send(goOnTo);
+    } else if (isShown.current) {
+      setFound({ end, sentences, goOnTo });
+    } else {
+      // Nobody is there to be asked.
+      messages.say({ level: "warning", key: "rehearsal.saidNotSent", params: { what: `@planName.${plan}` } });
+    }
+  }
 
-  function begin(): void {
-    setFound([]);
-    if (now.isFlown) setAsked(now);
-    else send(null);
+  function sentencesOf(end: RehearsalEnd): readonly string[] {
+    const issues = flownIssues(end);
+    const hazards = hazardsOf(missions.plans.getState()[plan]).filter(
+      ({ code, row }) => !issues.some((issue) => issue.row === row && issue.code === FLOWN[code]),
+    );
+    return [...hazards, ...issues].map(issueText);
   }
 
   function send(goOnTo: number | null): void {
-    setAsked(null);
+    setFound(null);
     void missions.upload(plan, { control }, goOnTo);
   }
 
-  const again = { label: t("plans.startAgain"), onPress: () => send(null) };
+  const again = { label: t("plans.startAgain"), onPress: () => void rehearse(null) };
   const goOn =
     flown.row === null
       ? again
-      : { label: t("plans.goOn", { number: flown.row + 1 }), onPress: () => send(flown.row) };
+      : { label: t("plans.goOn", { number: flown.row + 1 }), onPress: () => void rehearse(flown.row) };
   return (
     <>
       <Button
         variant="primary"
-        onPress={() => (hazards.length > 0 ? setFound(hazards) : begin())}
-        state={state}
-        stateText={stateText}
-        disabledReason={disabledReason}
+        onPress={() => (now.isFlown ? setAsked(now) : void rehearse(null))}
+        state={isFlying ? "pending" : state}
+        stateText={isFlying ? t("rehearsal.flying") : stateText}
+        disabledReason={isFlying ? t("rehearsal.flying") : disabledReason}
         icon={<Upload aria-hidden="true" size={14} />}
       >
         {children}
       </Button>
-      {found.length > 0 && (
+      {found !== null && (
         <ConfirmDialog
-          title={t("plans.hazardTitle")}
-          text={found.map(issueText).join(" ")}
+          title={t(found.end.answer.ok ? "plans.hazardTitle" : "rehearsal.notFlownTitle")}
+          text={rehearsalText(found.end)}
+          list={found.sentences}
           confirmLabel={t("plans.hazardSend")}
           cancelLabel={t("dialog.cancel")}
           danger
-          onConfirm={begin}
-          onCancel={() => setFound([])}
+          onConfirm={() => send(found.goOnTo)}
+          onCancel={() => setFound(null)}
         />
       )}
       {asked !== null && (
@@ -92,6 +129,21 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
     </>
   );
 }
+
+/** What a person is asked about before the plan is sent. */
+interface Found {
+  readonly end: RehearsalEnd;
+  readonly sentences: readonly string[];
+  readonly goOnTo: number | null;
+}
+
+/** The finding of a flight that says the same as a hazard of the geometry, and more. */
+const FLOWN: Partial<Record<PlanFault, FlownIssue["code"]>> = {
+  outside_fence: "flown_leaves_fence",
+  leaves_fence: "flown_leaves_fence",
+  above_ceiling: "flown_above_ceiling",
+  meets_ground: "flown_meets_ground",
+};
 
 interface FlightInProgress {
   /** A start at waypoint 1 would change where the board flies to, or may do so. */

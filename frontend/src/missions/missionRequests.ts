@@ -1,7 +1,7 @@
 import type { Waypoint } from "../lib/plan";
 import type { Status } from "../protocol/contract";
 import type { StreamEvent } from "../protocol/envelope";
-import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
+import { isCommandOutcome, isMission, isMissionImport, isMissionRehearsal } from "../protocol/guards.gen";
 import type { PlanName } from "../protocol/missions";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
@@ -23,6 +23,8 @@ import { PLAN } from "./planFacts";
 const PATH = "/api/v1/missions";
 /** Time to send a hundred waypoints over a slow radio, each acknowledged, and to read them all back. */
 const TRANSFER_MS = 120_000;
+/** Longer than the gateway takes before it gives a rehearsal up. */
+const REHEARSAL_MS = 10_000;
 
 /** The requests about flight plans, with their outcome in the stores. */
 export function createPlanActions(
@@ -73,6 +75,11 @@ export function createPlanActions(
       if (isTaken && goOnTo !== null) {
         await goOn(plan, goOnTo);
       }
+    },
+
+    rehearse: (plan, first, { start, wind, endurance_min }) => {
+      const body = { waypoints: plans.getState()[plan].draft.present, first, start, wind, endurance_min };
+      return rest.ask("POST", `${PATH}/rehearsal`, isMissionRehearsal, body, REHEARSAL_MS);
     },
 
     loadRoute: async (route, canRead, asker) => {

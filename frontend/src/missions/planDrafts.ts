@@ -4,7 +4,8 @@ import { isNumber, isObject, list, shape } from "../lib/check";
 import { amended, begun, edited, type History, redone, undone } from "../lib/history";
 import { samePlan, type Waypoint } from "../lib/plan";
 import type { PlanIssue } from "../lib/planCheck";
-import { type ImportedWaypoint, isImportedWaypoint } from "../protocol/guards.gen";
+import type { Answer } from "../protocol/answers";
+import { type ImportedWaypoint, isImportedWaypoint, type MissionRehearsal } from "../protocol/guards.gen";
 import type { CommandName } from "../protocol/messages.gen";
 import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
 import type { Asker } from "../requests/asking";
@@ -13,6 +14,7 @@ import type { Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { BrowserStorage } from "../store/settings";
 import type { ImportAnswers, ImportQuestion } from "./importQuestion";
+import type { FlightConditions } from "./rehearsal";
 
 /** A flight plan: the draft, and the board's. */
 export interface Plan {
@@ -52,6 +54,12 @@ export interface PlanActions {
    * the row `goOnTo`: that is commanded once the board has the plan, under the control of "go to".
    */
   readonly upload: (plan: PlanName, asker: Asker, goOnTo: number | null) => Promise<void>;
+  /** Have the draft flown in the gateway's model, from row `first` on; nothing reaches the board. */
+  readonly rehearse: (
+    plan: PlanName,
+    first: number,
+    conditions: FlightConditions,
+  ) => Promise<Answer<MissionRehearsal>>;
   /** Make the board load one of its built-in routes, and read it. `canRead`: the board can send its plan. */
   readonly loadRoute: (route: RouteCommand, canRead: boolean, asker: Asker) => Promise<void>;
   /** Read a file as the draft. What only a person can say about it becomes the plan's question. */

@@ -4,9 +4,10 @@ import { formatFixed } from "../lib/format";
 import type { PlanIssue } from "../lib/planCheck";
 import { useUnit } from "../readouts/useUnit";
 import { COLUMN } from "./planFacts";
+import type { FlownIssue } from "./rehearsal";
 
-/** A plan's fault as a sentence, with numbers in the user's units. */
-export function useIssueText(): (issue: PlanIssue) => string {
+/** A plan's fault, or what its rehearsal found, as a sentence with numbers in the user's units. */
+export function useIssueText(): (issue: PlanIssue | FlownIssue) => string {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const speed = useUnit("speed");
@@ -20,6 +21,11 @@ export function useIssueText(): (issue: PlanIssue) => string {
           case "altitude_ft":
           case "ceiling_ft":
           case "below_ft":
+          case "above_ft":
+          case "height_ft":
+          case "margin_ft":
+          case "off_ft":
+          case "flown_ft":
             return `${altitude.format(value) ?? t("words.dash")} ${altitude.label}`;
           case "speed_kt":
           case "least_kt":
@@ -29,7 +35,11 @@ export function useIssueText(): (issue: PlanIssue) => string {
             return `${distance.format(value) ?? t("words.dash")} ${distance.label}`;
           case "climb_deg":
           case "most_deg":
+          case "off_deg":
             return formatFixed(value, 1) ?? t("words.dash");
+          case "lasts_min":
+          case "takes_min":
+            return formatFixed(value, 0) ?? t("words.dash");
           default:
             return String(value ?? t("words.dash"));
         }
@@ -38,16 +48,10 @@ export function useIssueText(): (issue: PlanIssue) => string {
         number,
         column: field === null ? "" : t(`plans.${COLUMN[field]}`),
         count: params["count"] ?? 0,
-        value: written("value"),
-        minimum: written("minimum"),
-        maximum: written("maximum"),
-        climb: written("climb_deg"),
-        most: written("most_deg"),
-        distance: written("distance_m"),
-        radius: written("radius_m"),
-        least: written("least_kt"),
-        ceiling: written("ceiling_ft"),
-        below: written("below_ft"),
+        // By their names without the unit, which they are written with.
+        ...Object.fromEntries(
+          Object.keys(params).map((name) => [name.replace(/_(ft|kt|m|deg|min)$/, ""), written(name)]),
+        ),
       });
     },
     [t, altitude, speed, distance],

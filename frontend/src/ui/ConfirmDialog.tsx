@@ -9,6 +9,8 @@ interface Props {
   title: string;
   /** What happens, and what cannot be undone. */
   text: string;
+  /** Sentences of their own below the text. */
+  list?: readonly string[] | undefined;
   confirmLabel: string;
   cancelLabel: string;
   danger?: boolean | undefined;
@@ -20,7 +22,17 @@ interface Props {
 
 /** A question before something that cannot be undone. The safe answer has the focus. */
 export function ConfirmDialog(props: Props) {
-  const { title, text, confirmLabel, cancelLabel, danger = false, other, onConfirm, onCancel } = props;
+  const {
+    title,
+    text,
+    list = [],
+    confirmLabel,
+    cancelLabel,
+    danger = false,
+    other,
+    onConfirm,
+    onCancel,
+  } = props;
   const foot = useRef<HTMLElement>(null);
   useOpened(true);
   return (
@@ -31,7 +43,16 @@ export function ConfirmDialog(props: Props) {
           <header className="ui-dialog-head">
             <AlertDialog.Title className="ui-dialog-title">{title}</AlertDialog.Title>
           </header>
-          <AlertDialog.Description className="ui-dialog-body">{text}</AlertDialog.Description>
+          <div className="ui-dialog-body">
+            <AlertDialog.Description>{text}</AlertDialog.Description>
+            {list.length > 0 && (
+              <ul className="ui-dialog-list">
+                {list.map((sentence) => (
+                  <li key={sentence}>{sentence}</li>
+                ))}
+              </ul>
+            )}
+          </div>
           <footer ref={foot} className="ui-dialog-actions">
             <Button onPress={onCancel}>{cancelLabel}</Button>
             {other !== undefined && <Button onPress={other.onPress}>{other.label}</Button>}

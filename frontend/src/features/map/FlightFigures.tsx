@@ -3,6 +3,7 @@ import { useCallback, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
 import { formatHeading } from "../../lib/format";
+import { windNow } from "../../missions/useWind";
 import { LiveReadout, type ReadoutRow } from "../../readouts/LiveReadout";
 import { VOLTAGE } from "../../readouts/notations";
 import { useUnit } from "../../readouts/useUnit";
@@ -13,7 +14,6 @@ import { usePaint } from "../../store/usePaint";
 import { Button } from "../../ui/Button";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { useFollowed } from "./aircraft/useFlightScene";
-import { windNow } from "./profile/useWind";
 import "./figures.css";
 
 const FOLD = "map.fold.figures";

@@ -107,6 +107,9 @@ describe("a waypoint that is chosen", () => {
 });
 
 describe("an edited plan", () => {
+  /** The model that flies a plan before it is sent finds nothing. */
+  const clean = { time_s: 600, last: 2, ground: "whole", fence: true, battery: true, findings: [] };
+
   test("is sent, and is the board's only when that was read back", async () => {
     await downloaded();
     await chooseWaypoint(0);
@@ -116,6 +119,7 @@ describe("an edited plan", () => {
       "Sin enviar a la placa.",
     );
     await user.click(button("Enviar"));
+    await newest("POST", /missions\/rehearsal$/).answer(clean);
     const asked = newest("PUT", /missions\/flight$/);
     expect(asked.body).toEqual({ waypoints: draft() });
     expect(document.querySelector(".map-plan-state")?.textContent).toContain("distinto del de la placa");
@@ -132,6 +136,7 @@ describe("an edited plan", () => {
     await user.click(button("Enviar"));
     expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);
     await user.click(button("Enviar y seguir al 3"));
+    await newest("POST", /missions\/rehearsal$/).answer(clean);
     await newest("PUT", /missions\/flight$/).answer({ plan: "flight", waypoints: draft() });
     expect(newest("POST", /go_to_waypoint$/).body).toEqual({ value: { plan: 0, index: 2 } });
   });

@@ -50,6 +50,13 @@ function newest(method: string, path: RegExp): FakeRequest {
   return asked;
 }
 
+/** Sends the plan; the model that flies it before finds nothing. */
+async function sendFlown(): Promise<void> {
+  await user.click(button("Enviar a la placa"));
+  const clean = { time_s: 600, last: 2, ground: "whole", fence: true, battery: true, findings: [] };
+  await newest("POST", /missions\/rehearsal$/).answer(clean);
+}
+
 function button(name: string | RegExp): HTMLElement {
   return screen.getByRole("button", { name });
 }
@@ -153,7 +160,7 @@ describe("an edit", () => {
     });
     expect(altitudes()).toEqual(["213.4", "304.8", "304.8"]);
     await write("altitude_ft", 0, "304.8{Enter}");
-    await user.click(button("Enviar a la placa"));
+    await sendFlown();
     expect(newest("PUT", /flight$/).body).toMatchObject({ waypoints: [{ altitude_ft: 1000 }, {}, {}] });
   });
 
@@ -188,7 +195,7 @@ describe("an upload", () => {
   test("sends all of it, and says that the board has it only when that was read back", async () => {
     await downloaded();
     await write("altitude_ft", 0, "850{Enter}");
-    await user.click(button("Enviar a la placa"));
+    await sendFlown();
     const asked = newest("PUT", /missions\/flight$/);
     const sent = plan.with(0, { ...plan[0], altitude_ft: 850 } as Waypoint);
     expect(asked.body).toEqual({ waypoints: sent });
@@ -200,7 +207,7 @@ describe("an upload", () => {
   test("that the board refused leaves the plan marked as other than the board's", async () => {
     await downloaded();
     await write("altitude_ft", 0, "850{Enter}");
-    await user.click(button("Enviar a la placa"));
+    await sendFlown();
     const problem = { code: "mission_refused", detail: "No.", params: { reason: "bad_value" } };
     await newest("PUT", /flight$/).answer(problem, 502);
     expect(state()).toBe("distinto del de la placa");
@@ -220,7 +227,7 @@ describe("an upload", () => {
     await downloaded();
     await write("altitude_ft", 1, "1600{Enter}");
     expect(document.body.textContent).toContain("Waypoint 2: el tramo tiene 9.4°");
-    await user.click(button("Enviar a la placa"));
+    await sendFlown();
     expect(newest("PUT", /flight$/).body).toMatchObject({ waypoints: [{}, { altitude_ft: 1600 }, {}] });
   });
 

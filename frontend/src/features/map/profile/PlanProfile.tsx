@@ -16,6 +16,7 @@ import "./profile.css";
 export function PlanProfile({ aircraft }: { aircraft: Aircraft }) {
   const { t } = useTranslation();
   const { settings } = usePage();
+  const selection = usePart(SELECTION);
   const altitude = useUnit("altitude");
   const { waypoints } = useMapPlan(aircraft);
   const profile = useProfile(waypoints);
@@ -45,7 +46,11 @@ export function PlanProfile({ aircraft }: { aircraft: Aircraft }) {
           unit={altitude.label}
           onCommit={(shown) => choose(settings, CLEARANCE_CHOICE, String(altitude.revert(shown)))}
         />
-        <WindAndTime aircraft={aircraft} waypoints={waypoints} />
+        <WindAndTime
+          aircraft={aircraft}
+          waypoints={waypoints}
+          onGo={(row) => selectThing(selection, { kind: "waypoint", plan: aircraft, row })}
+        />
       </div>
     </div>
   );

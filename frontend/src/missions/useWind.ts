@@ -1,8 +1,9 @@
 import { useMemo } from "react";
-import type { Aircraft } from "../../../lib/aircraft";
-import { type Wind, windOf } from "../../../lib/wind";
-import { useSettings, useTelemetry } from "../../../store/hooks";
-import type { TelemetryStore } from "../../../store/telemetry";
+import type { Aircraft } from "../lib/aircraft";
+import { type Wind, windOf } from "../lib/wind";
+import { useSettings, useTelemetry } from "../store/hooks";
+import type { Settings } from "../store/settings";
+import type { TelemetryStore } from "../store/telemetry";
 
 export const WIND_CHOICES = { from: "plans.wind.from_deg", speed: "plans.wind.speed_kt" } as const;
 /** Slower than this the airspeed says little, and in a turn the heading is not the way. */
@@ -11,9 +12,15 @@ const STEEPEST_ROLL_DEG = 8;
 
 /** The wind that was entered; still air where none was. */
 export function useEnteredWind(): Wind {
-  const from = useSettings(({ choices }) => choices[WIND_CHOICES.from]);
-  const speed = useSettings(({ choices }) => choices[WIND_CHOICES.speed]);
-  return useMemo(() => ({ from_deg: numberOf(from), speed_kt: numberOf(speed) }), [from, speed]);
+  const choices = useSettings((settings) => settings.choices);
+  return useMemo(() => enteredWind(choices) ?? { from_deg: 0, speed_kt: 0 }, [choices]);
+}
+
+/** The same out of the choices; null where no wind was entered. */
+export function enteredWind(choices: Settings["choices"]): Wind | null {
+  return choices[WIND_CHOICES.speed] === undefined
+    ? null
+    : { from_deg: numberOf(choices[WIND_CHOICES.from]), speed_kt: numberOf(choices[WIND_CHOICES.speed]) };
 }
 
 function numberOf(choice: string | undefined): number {
