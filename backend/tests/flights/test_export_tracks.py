@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import zipfile
+from collections.abc import Callable
 from datetime import UTC, datetime
 from itertools import pairwise
 from pathlib import Path
@@ -18,6 +19,8 @@ from fastkml.validator import get_schema_parser
 from lxml import etree
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.flights.export.flown import FlownLine
+from epf_gcs.flights.export.thinning import thinned_lines
 from epf_gcs.flights.export.verb import run
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import BOARD_RECEIVED, TOPICS
@@ -39,6 +42,11 @@ def flight(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def exported(flight: Path, kind: str, *options: str) -> bytes:
+    """Every point of it."""
+    return thinned(flight, kind, "--every-point", *options)
+
+
+def thinned(flight: Path, kind: str, *options: str) -> bytes:
     target = flight.parent.parent / "exports" / "one"
     target.unlink(missing_ok=True)
     run([str(flight), kind, str(target), *options], quiet)
@@ -103,6 +111,42 @@ def test_no_two_points_share_a_time_and_no_speed_is_absurd_however_late_they_wer
             flown = place(t_s - START_NS * 1e-9)
             assert found == pytest.approx(flown, abs=2.0)
             assert math.hypot(found[0] - flown[0], found[1] - flown[1]) * M_PER_DEG < 0.6 * SPEED_M_S
+
+
+def deviation_m(whole: list[Point], few: list[Point]) -> float:
+    """How far a point of the whole line is at most from the place that the other has at its time."""
+    every, kept = np.array(whole), np.array(few)
+    at = [np.interp(every[:, 0], kept[:, 0], kept[:, column]) - every[:, column] for column in (1, 2, 3)]
+    east = at[1] * np.cos(np.radians(every[:, 1]))
+    return float(np.sqrt((at[0] * M_PER_DEG) ** 2 + (east * M_PER_DEG) ** 2 + at[2] ** 2).max())
+
+
+@pytest.mark.parametrize(("kind", "read"), [("gpx", gpx_lines), ("kml", kml_lines)])
+def test_what_lies_between_two_points_anyway_is_left_out_and_the_deviation_is_said(
+    flight: Path, kind: str, read: Callable[[bytes], list[list[Point]]]
+) -> None:
+    data = thinned(flight, kind, "--language", "en")
+    whole, few = read(exported(flight, kind)), read(data)
+    assert [line[0] for line in few] == [line[0] for line in whole]
+    assert [line[-1] for line in few] == [line[-1] for line in whole]
+    assert sum(map(len, few)) * 4 < sum(map(len, whole))
+    assert max(deviation_m(every, kept) for every, kept in zip(whole, few, strict=True)) < 1.0
+    assert b"no sample is more than 1 m from the track" in data
+
+
+def test_a_turn_keeps_the_points_that_it_needs_and_a_straight_leg_two(tmp_path: Path) -> None:
+    t_s = np.arange(0.0, 60.0, 0.02)
+    turn = np.minimum(t_s, 30.0) * 0.2
+    north_m = 50.0 * np.sin(turn) + np.where(t_s > 30.0, 10.0 * (t_s - 30.0) * np.cos(6.0), 0.0)
+    east_m = 50.0 * (1 - np.cos(turn)) + np.where(t_s > 30.0, 10.0 * (t_s - 30.0) * np.sin(6.0), 0.0)
+    rows = np.column_stack(
+        [t_s, north_m / M_PER_DEG, east_m / M_PER_DEG, np.full(len(t_s), 100.0), *np.zeros((3, len(t_s)))]
+    )
+    (tmp_path / "whole").write_bytes(rows.astype("<f8").tobytes())
+    (line,) = thinned_lines([FlownLine(tmp_path / "whole", 0, len(rows))], tmp_path / "few")
+    kept = np.concatenate([samples.t_s for samples in line])
+    assert np.count_nonzero(kept > 32.0) == 1
+    assert 15 < np.count_nonzero(kept <= 32.0) < 40
 
 
 def test_the_recorded_times_alone_would_have_been_absurd() -> None:

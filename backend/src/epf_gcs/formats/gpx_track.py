@@ -20,9 +20,11 @@ class TimedTrack(NamedTuple):
     lines: Sequence[Iterable[Samples]]
 
 
-def gpx_track_pieces(tracks: Sequence[TimedTrack]) -> Iterator[bytes]:
-    """A document with a `trk` for each track and a `trkseg` for each of its lines, in pieces."""
+def gpx_track_pieces(tracks: Sequence[TimedTrack], note: str | None = None) -> Iterator[bytes]:
+    """A document with a `trk` for each track and a `trkseg` for each of its lines, in pieces. `note` describes it."""
     yield f'<?xml version="1.0" encoding="UTF-8"?>\n<gpx xmlns="{GPX}" version="1.1" creator="EPF GCS">\n'.encode()
+    if note is not None:
+        yield f"<metadata><desc>{escape(plain(note))}</desc></metadata>\n".encode()
     for track in tracks:
         if track.lines:
             yield f"<trk><name>{escape(plain(track.name))}</name>\n".encode()

@@ -34,11 +34,15 @@ class NamedPlan(NamedTuple):
     waypoints: Sequence[Waypoint]
 
 
-def flight_document(name: str, tracks: Sequence[FlownTrack], plans: Sequence[NamedPlan]) -> Iterator[bytes]:
-    """A document in pieces. Each line is there twice: as a line that any reader draws, and, for readers that know
-    Google's extension, as a track that their clock moves along."""
+def flight_document(
+    name: str, tracks: Sequence[FlownTrack], plans: Sequence[NamedPlan], note: str | None = None
+) -> Iterator[bytes]:
+    """A document in pieces, described by `note`. Each line is there twice: as a line that any reader draws, and, for
+    readers that know Google's extension, as a track that their clock moves along."""
     root, content = document(name)
     root.set("xmlns:gx", GX)
+    if note is not None:
+        add(content, "description", plain(note))
     add_styles(content)
     lines: list[Iterable[Samples]] = []
     for track in tracks:

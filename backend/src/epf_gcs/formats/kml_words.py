@@ -22,6 +22,7 @@ class Words(NamedTuple):
     altitude: str
     speed: str
     heading: str
+    thinned: str
 
 
 WORDS: Final[dict[Language, Words]] = {
@@ -38,6 +39,7 @@ WORDS: Final[dict[Language, Words]] = {
         altitude="Altura",
         speed="Velocidad",
         heading="Rumbo",
+        thinned="Con menos puntos: ninguna muestra queda a más de {deviation_m:.0f} m del recorrido a su hora.",
     ),
     "en": Words(
         station="EPF GCS",
@@ -52,5 +54,6 @@ WORDS: Final[dict[Language, Words]] = {
         altitude="Altitude",
         speed="Speed",
         heading="Heading",
+        thinned="With fewer points: no sample is more than {deviation_m:.0f} m from the track at its time.",
     ),
 }

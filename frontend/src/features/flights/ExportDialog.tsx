@@ -9,6 +9,9 @@ import { NumberField } from "../../ui/NumberField";
 import { EXPORT_FORMATS, type ExportFormat, FLIGHTS } from "./flightLibrary";
 import { flightName, useLibraryUnreachable } from "./useFlights";
 
+/** Formats that leave out what is within a metre of the track, unless every point is asked for. */
+const THINNED: ReadonlySet<ExportFormat> = new Set(["kml", "kmz", "gpx"]);
+
 /** What to turn a flight into: the format, with what it is for, and which stretch. */
 export function ExportDialog({ flight, onClose }: { readonly flight: Flight; readonly onClose: () => void }) {
   const { t } = useTranslation();
@@ -16,6 +19,7 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
   const flights = usePart(FLIGHTS);
   const whole_s = Math.ceil(flight.duration_s ?? 0);
   const [format, setFormat] = useState<ExportFormat>(EXPORT_FORMATS[0]);
+  const [everyPoint, setEveryPoint] = useState(false);
   const [isPart, setPart] = useState(false);
   const [from_s, setFrom] = useState(0);
   const [to_s, setTo] = useState(whole_s);
@@ -23,7 +27,8 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
   const wrong = isPart && from_s >= to_s ? t("flights.emptyStretch") : undefined;
 
   function start(): void {
-    const wish = isPart ? { format, lang, from_s, to_s } : { format, lang, from_s: null, to_s: null };
+    const part = isPart ? { from_s, to_s } : { from_s: null, to_s: null };
+    const wish = { format, lang, every_point: everyPoint && THINNED.has(format), ...part };
     void flights.export(flight.id, wish, { control: "flights.export" });
     onClose();
   }
@@ -58,6 +63,12 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
           </label>
         ))}
       </fieldset>
+      {THINNED.has(format) && (
+        <div className="flights-every-point">
+          <Checkbox label={t("flights.everyPoint")} checked={everyPoint} onChange={setEveryPoint} />
+          <p className="flights-quiet">{t("flights.everyPointHint")}</p>
+        </div>
+      )}
       {whole_s > 0 && <Checkbox label={t("flights.onlyPart")} checked={isPart} onChange={setPart} />}
       {isPart && (
         <div className="flights-stretch">

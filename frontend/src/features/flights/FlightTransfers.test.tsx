@@ -123,7 +123,14 @@ describe("an export", () => {
     await user.click(screen.getByRole("button", { name: "Exportar" }));
     const wish = newest("POST", /exports$/);
     expect(wish.path).toBe(`/api/v1/flights/${FIRST.id}/exports`);
-    expect(wish.body).toEqual({ format: "csv", lang: "es", topics: null, from_s: 100, to_s: 754 });
+    expect(wish.body).toEqual({
+      format: "csv",
+      lang: "es",
+      every_point: false,
+      topics: null,
+      from_s: 100,
+      to_s: 754,
+    });
     await wish.answer({ job: "0123456789ab" }, 202);
     tell({ progress: 0.75 });
     expect(within(transfers()).getByRole("progressbar").getAttribute("value")).toBe("0.75");
@@ -148,6 +155,18 @@ describe("an export", () => {
     expect(within(transfers()).getByRole("link", { name: /^Descargar vuelo.mcap/ })).toBeTruthy();
     tell({ state: "done", progress: 1, result: null });
     expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
+  });
+
+  test("of a track has few points, unless every one is asked for", async () => {
+    expect(
+      screen.queryByRole("checkbox", { name: "Todos los puntos" }),
+      "of a recording nothing is left out",
+    ).toBeNull();
+    await user.click(screen.getByRole("radio", { name: /^GPX/ }));
+    expect(screen.getByRole("dialog").textContent).toContain("menos de 1 m");
+    await user.click(screen.getByRole("checkbox", { name: "Todos los puntos" }));
+    await user.click(screen.getByRole("button", { name: "Exportar" }));
+    expect(newest("POST", /exports$/).body).toMatchObject({ format: "gpx", every_point: true });
   });
 
   test("of the whole flight says so, and is cancelled", async () => {

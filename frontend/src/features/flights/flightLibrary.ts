@@ -97,6 +97,8 @@ export interface ExportWish {
   readonly format: ExportFormat;
   /** Language of the names in it. */
   readonly lang: Language;
+  /** Also the points that are less than a metre from the track. */
+  readonly every_point: boolean;
   /** Seconds since the flight's start; null: the whole flight. */
   readonly from_s: number | null;
   readonly to_s: number | null;

@@ -81,12 +81,13 @@ export function createFlightTransfers({
       forget(key);
     },
 
-    export: (flight, { format, lang, from_s, to_s }, asker) =>
+    export: (flight, { format, lang, every_point, from_s, to_s }, asker) =>
       run(
         asker,
         rest.ask("POST", `/api/v1/flights/${flight}/exports`, isJobStart, {
           format,
           lang,
+          every_point,
           topics: null,
           from_s,
           to_s,

@@ -16,6 +16,7 @@ from epf_gcs.recordings.export_names import ExportFormat, check_export, file_nam
 RESERVE_BYTES: Final = 1_500_000_000
 """Space that an export leaves free, so that no viewer's file ever stops the recording of a flight."""
 _STEP: Final = 0.002
+_THINNED: Final[tuple[ExportFormat, ...]] = ("kml", "kmz", "gpx")
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,7 @@ class ExportRequest:
     from_s: float | None = None
     to_s: float | None = None
     language: Language = "en"
+    every_point: bool = False
 
     @property
     def flight(self) -> str:
@@ -38,6 +40,11 @@ class ExportRequest:
     def is_whole(self) -> bool:
         """Whether the whole time of the flight is asked for."""
         return self.from_s is None and self.to_s is None
+
+    @property
+    def is_thinned(self) -> bool:
+        """Whether points that say nothing more are left out: in what is drawn, unless all are asked for."""
+        return self.format in _THINNED and not self.every_point
 
     @property
     def name(self) -> str:
@@ -77,7 +84,10 @@ class Progress:
 
 
 def read_arguments(arguments: list[str]) -> tuple[ExportRequest, Path]:
-    """`FILE FORMAT OUT [--topics A,B] [--from-s X] [--to-s Y] [--language L]`. Raises InvalidInputError."""
+    """`FILE FORMAT OUT [--topics A,B] [--from-s X] [--to-s Y] [--language L] [--every-point]`.
+
+    Raises InvalidInputError.
+    """
     parser = argparse.ArgumentParser("export")
     parser.add_argument("file", type=Path)
     parser.add_argument("format", choices=get_args(ExportFormat))
@@ -86,8 +96,17 @@ def read_arguments(arguments: list[str]) -> tuple[ExportRequest, Path]:
     parser.add_argument("--from-s", type=float)
     parser.add_argument("--to-s", type=float)
     parser.add_argument("--language", choices=get_args(Language), default="en")
+    parser.add_argument("--every-point", action="store_true")
     given = parser.parse_args(arguments)
-    asked = ExportRequest(given.file.resolve(), given.format, given.topics, given.from_s, given.to_s, given.language)
+    asked = ExportRequest(
+        given.file.resolve(),
+        given.format,
+        given.topics,
+        given.from_s,
+        given.to_s,
+        given.language,
+        given.every_point,
+    )
     check_export(asked.format, asked.topics, asked.from_s, asked.to_s)
     return asked, given.out
 

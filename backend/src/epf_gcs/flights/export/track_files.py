@@ -11,6 +11,7 @@ from epf_gcs.flights.export.asked import ExportRequest, Progress, no_position
 from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
 from epf_gcs.flights.export.plans import plans_at
 from epf_gcs.flights.export.stretch import Stretch
+from epf_gcs.flights.export.thinning import DEVIATION_M, thinned_lines
 from epf_gcs.formats import kmz
 from epf_gcs.formats.czml import MovingTrack, czml_pieces
 from epf_gcs.formats.gpx_track import TimedTrack, gpx_track_pieces
@@ -29,6 +30,8 @@ def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -
     stretch = Stretch(asked, progress)
     stretch.expect([topic for topic in TOPICS if topic in stretch.topics], share=_READING)
     tracks = {source: flown_lines(stretch, source, aside) for source in _SOURCES}
+    if asked.is_thinned:
+        tracks = {source: thinned_lines(lines, aside / f"{source}.thinned") for source, lines in tracks.items()}
     points = sum(line.end - line.first for lines in tracks.values() for line in lines)
     if not points:
         raise no_position()
@@ -46,9 +49,11 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
     names: dict[Source, str] = {"flight": words.track, "hil": words.hil_track}
     when = datetime.fromtimestamp(stretch.start_ns // 1_000_000_000, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
     title = f"{words.station}: {words.track}, {when}"
+    note = words.thinned.format(deviation_m=DEVIATION_M) if asked.is_thinned else None
     match asked.format:
         case "gpx":
-            return gpx_track_pieces([TimedTrack(names[source], lines) for source, lines in tracks.items()])
+            named = [TimedTrack(names[source], lines) for source, lines in tracks.items()]
+            return gpx_track_pieces(named, note)
         case "czml":
             return czml_pieces(
                 title,
@@ -63,5 +68,6 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
         title,
         [FlownTrack(names[one], lines, [line.span_s() for line in lines]) for one, lines in tracks.items()],
         [NamedPlan(titles[name], waypoints) for name, waypoints in noted.items()],
+        note,
     )
     return document if asked.format == "kml" else kmz.kmz_pieces([(kmz.DOCUMENT, document)])

@@ -79,10 +79,11 @@ async def get_flight_export(
     topics: Topics = None,
     from_s: AtS = None,
     to_s: AtS = None,
+    every_point: Annotated[bool, Query(description="Also those less than a metre from the track.")] = False,  # noqa: FBT002 - a query parameter
 ) -> Response:
     """The same in one request, for programs: the answer comes when the file is made. Who hangs up cancels it."""
     chosen = None if topics is None else topics.split(",")
-    asked = ExportInput(format=format, topics=chosen, from_s=from_s, to_s=to_s)
+    asked = ExportInput(format=format, topics=chosen, from_s=from_s, to_s=to_s, every_point=every_point)
     job = await _start(flights, flight_id, asked, lang)
     try:
         while not job.is_over and not await request.is_disconnected():
@@ -118,6 +119,8 @@ async def _start(flights: Flights, flight: str, asked: ExportInput, language: La
         )
     result = flights.places.exports / secrets.token_hex(8)
     arguments = [str(flights.places.recording(flight)), asked.format, str(result), "--language", asked.lang or language]
+    if asked.every_point:
+        arguments.append("--every-point")
     if asked.topics is not None:
         arguments += ["--topics", ",".join(asked.topics)]
     for option, at_s in (("--from-s", asked.from_s), ("--to-s", asked.to_s)):

@@ -273,6 +273,7 @@ class ExportInput(Input):
 
     Only mcap-decoded, csv and parquet have topics; a single topic of csv and parquet is one file and no archive.
     `lang` is the language of the names in KML, KMZ, GPX and CZML, by default the browser's.
+    KML, KMZ and GPX leave out what is less than a metre from the track, unless `every_point`.
     """
 
     format: ExportFormat
@@ -280,6 +281,7 @@ class ExportInput(Input):
     from_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
     to_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
     lang: Language | None = None
+    every_point: bool = False
 
 
 class Playback(Output):
