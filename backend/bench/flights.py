@@ -119,7 +119,7 @@ def _index(folder: Path) -> list[Row]:
     begun = time.process_time()
     written = write_columns(path, folder / "columns", lambda _progress, _doing: None)
     index_s = time.process_time() - begun
-    assert written.counts.as_dict()["frames"] == frames
+    assert written.counts.frames_heard == frames
     size = sum(one.stat().st_size for one in written.folder.iterdir()) / 1e6
     return [
         Row(f"read {count} records of {megabytes:.0f} MB whole", count / reading_s, "records/s"),
@@ -133,7 +133,7 @@ def _index_demonstration(folder: Path) -> list[Row]:
     begun = time.process_time()
     written = write_columns(path, folder / "columns", lambda _progress, _doing: None)
     index_s = time.process_time() - begun
-    frames = written.counts.as_dict()["frames"]
+    frames = written.counts.frames_heard
     what = f"index {HOURS} h of the demonstration, {frames} frames"
     return [Row(what, index_s, "s", f"<= {INDEX_S:g} s", index_s <= INDEX_S)]
 

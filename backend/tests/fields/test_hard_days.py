@@ -18,7 +18,6 @@ from typing import Any
 
 import httpx
 import numpy as np
-import orjson
 import pytest
 from rasterio.io import MemoryFile
 from rasterio.transform import from_origin
@@ -114,7 +113,7 @@ def degree(path: str) -> bytes | None:
 
 
 def ordered(server: BadServer, area: Area, *parts: Part) -> bytes:
-    return orjson.dumps(Order("Gando", area, parts).as_dict())
+    return Order("Gando", area, parts).as_json()
 
 
 def pictures(server: BadServer) -> Part:

@@ -10,7 +10,6 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-import orjson
 import pytest
 
 from epf_gcs.errors import GatewayError
@@ -20,6 +19,7 @@ from epf_gcs.fields.order import Order, Part
 from epf_gcs.fields.pack import prove
 from epf_gcs.fields.part_file import PartFile
 from epf_gcs.fields.whole import is_whole_vector
+from epf_gcs.fields.work import FieldProgress
 from epf_gcs.fields.worker import ARRIVED, ORDER, PACK, prepare
 from epf_gcs.maps.outside import Consent
 from tests.support import bad_server as bad
@@ -47,7 +47,7 @@ def ordered(folder: Path, server: BadServer, kinds: str = "imagery") -> None:
     body = fields.order(server.base, kinds=kinds)
     parts = tuple(Part(**part) for part in body["parts"])
     folder.mkdir(exist_ok=True)
-    (folder / ORDER).write_bytes(orjson.dumps(Order("Gando", AREA, parts).as_dict()))
+    (folder / ORDER).write_bytes(Order("Gando", AREA, parts).as_json())
 
 
 def made(folder: Path, server: BadServer, kinds: str = "imagery", say: Callable[[Any], None] | None = None) -> bytes:
@@ -151,10 +151,10 @@ def test_where_a_source_has_nothing_the_rest_is_brought_and_where_it_has_nothing
 ) -> None:
     whole = server.tile
     server.tile = lambda path: None if path.split("/")[2] == "14" else whole(path)
-    told: list[dict[str, Any]] = []
+    told: list[FieldProgress] = []
     made(tmp_path / "some", server, say=told.append)
-    last = next(one for one in reversed(told) if one["doing"] == "fetching")
-    assert 0 < last["tiles_missing"] < last["tiles"] == last["tiles_total"]
+    last = next(one for one in reversed(told) if one.doing == "fetching")
+    assert 0 < last.tiles_missing < last.tiles == last.tiles_total
     server.tile = lambda _path: None
     with pytest.raises(GatewayError) as caught:
         made(tmp_path / "none", server)
@@ -237,11 +237,9 @@ def test_a_changed_or_missing_tile_or_a_cut_file_is_seen(tmp_path: Path, server:
 
 
 def test_a_server_that_says_when_to_come_again_is_left_alone_till_then(tmp_path: Path, server: BadServer) -> None:
-    told: list[dict[str, Any]] = []
+    told: list[FieldProgress] = []
     server.plan = lambda number, _path: bad.refuses_for_a_second if number == 0 else None
     made(tmp_path, server, say=told.append)
-    waits = [one["waits_s"] for one in told if one.get("waits_s") is not None]
+    waits = [one.waits_s for one in told if one.waits_s is not None]
     assert 0.5 < max(waits) <= 1.0, "a thousand times what the pace would wait"
-    assert any(
-        one["waits_for"] and one["waits_for"]["code"] == "field_source_silent" for one in told if "waits_for" in one
-    )
+    assert any(one.waits_for and one.waits_for.code == "field_source_silent" for one in told)

@@ -155,11 +155,11 @@ def test_counts_say_what_was_damaged_and_where_the_line_was_silent(tmp_path: Pat
         data += message_record(BOARD_RECEIVED, 0, START_NS + second * 10**9, payload)
     data += closed + again + message_record(BOARD_RECEIVED, 0, START_NS + 30 * 10**9, frame)
     found = made(tmp_path, data)
-    counts = found.counts.as_dict()
-    assert counts["frames_by_name"] == {"ahrs": 2}
-    assert counts["damaged_by_kind"] == {"bad_checksum": 1, "remains": 2, "cut_short": 1}
-    assert (counts["frames"], counts["frames_damaged"]) == (2, 2)
-    assert counts["gaps"] == [[START_NS + 10**9, START_NS + 4 * 10**9]], "while the line was closed is no gap"
+    counts = found.counts
+    assert counts.frames == {"ahrs": 2}
+    assert counts.damaged == {"bad_checksum": 1, "remains": 2, "cut_short": 1}
+    assert (counts.frames_heard, counts.frames_damaged) == (2, 2)
+    assert counts.gaps == [(START_NS + 10**9, START_NS + 4 * 10**9)], "while the line was closed is no gap"
     assert [row["kind"] for row in rows(found.folder, "damage")] == ["bad_checksum", "remains", "cut_short", "remains"]
     per_second = rows(found.folder, "link")
     assert [row["board_received_bytes"] for row in per_second] == [28, 28, 20, 28]
@@ -271,7 +271,7 @@ def test_index_says_its_progress_and_what_it_counted(tmp_path: Path) -> None:
     done = run([str(path)], lambda progress, doing: said.append((progress, doing)))
     assert said[-1][0] > 0.9
     assert done["frames"] == 400
-    assert Path(done["folder"]).is_dir()
+    assert Path(str(done["folder"])).is_dir()
 
 
 def test_commands_and_messages_of_one_name_are_kept_apart() -> None:

@@ -142,10 +142,10 @@ def test_a_spike_of_one_sample_is_seen_in_a_computed_signal_at_every_zoom(spike:
     from_s, to_s = t_s[spike] * zoom, t_s[spike] + (t_s[-1] - t_s[spike]) * zoom
     names = split_names("diff(ahrs.roll_deg,simulator.roll_deg),rate(ahrs.roll_deg)")
     found = signals(flight, PeriodCache(), names, from_s, to_s, points)
-    difference, rate = found["signals"]
-    assert np.nanmax(difference["max"]) == 30.0
-    np.testing.assert_allclose(np.nanmax(rate["max"]), 1500.0)
-    assert found["starts_s"] == START_NS * 1e-9
+    difference, rate = found.signals
+    assert np.nanmax(np.array(difference.max, dtype=float)) == 30.0
+    np.testing.assert_allclose(np.nanmax(np.array(rate.max, dtype=float)), 1500.0)
+    assert found.starts_s == START_NS * 1e-9
 
 
 def test_names_are_split_at_the_commas_between_them() -> None:

@@ -56,10 +56,10 @@ def found(flight: MadeFlight) -> list[tuple[str, str, float, float | None]]:
     """Kind, name, begin and end of each event, in seconds since the start."""
     return [
         (
-            event["kind"],
-            event["name"],
-            (event["t_ns"] - START_NS) * 1e-9,
-            None if event["until_ns"] is None else (event["until_ns"] - START_NS) * 1e-9,
+            event.kind,
+            event.name,
+            (event.t_ns - START_NS) * 1e-9,
+            None if event.until_ns is None else (event.until_ns - START_NS) * 1e-9,
         )
         for event in find_events(flight, [], [])
     ]
@@ -75,7 +75,7 @@ def test_a_command_and_its_outcome_are_one_event() -> None:
         ],
     )
     assert found(flight) == [("command", "ahrs_on", 1.0, 3.0), ("command", "ahrs_off", 2.0, None)]
-    assert [event["data"]["state"] for event in find_events(flight, [], [])] == ["confirmed", "pending"]
+    assert [event.data["state"] for event in find_events(flight, [], [])] == ["confirmed", "pending"]
 
 
 def test_an_alarm_lasts_from_its_coming_to_its_going_also_when_it_is_acknowledged() -> None:
@@ -110,7 +110,7 @@ def test_modes_and_waypoints_are_found_in_the_samples() -> None:
         ("waypoint", "hil", 3.0, None),
         ("mode", "autopilot_hil", 4.0, None),
     ]
-    assert [event["data"] for event in find_events(flight, [], [])] == [
+    assert [event.data for event in find_events(flight, [], [])] == [
         {"on": True},
         {"from": 0, "to": 1},
         {"on": False},
@@ -126,9 +126,10 @@ def test_events_are_the_same_after_they_were_written(tmp_path: Path) -> None:
     )
     write_events(tmp_path / "events.parquet", events)
     assert read_events(tmp_path / "events.parquet") == events
-    first, _, last = as_answer(events, START_NS)["events"]
-    assert (first["kind"], first["id"], first["data"]["text"], first["at_s"]) == ("mark", "m1", "¡aquí!", 1.0)
-    assert (last["kind"], last["at_s"], last["until_s"] - last["t_s"]) == ("gap", 3.0, 1.0)
+    first, _, last = as_answer(events, START_NS).events
+    assert (first.kind, first.id, first.data["text"], first.at_s) == ("mark", "m1", "¡aquí!", 1.0)
+    assert last.until_s is not None
+    assert (last.kind, last.at_s, last.until_s - last.t_s) == ("gap", 3.0, 1.0)
 
 
 def circle(seconds: float = 600.0) -> MadeFlight:
@@ -158,17 +159,19 @@ def circle(seconds: float = 600.0) -> MadeFlight:
 
 def test_the_figures_of_the_row_are_those_of_the_flight() -> None:
     row = summarise(circle(), [])
-    assert row["highest_ft"] == 984.3
-    assert row["fastest_kt"] == 97.2
-    assert abs(row["distance_nm"] - 590.0 * 50.0 / 1852.0) < 0.05
-    assert (row["station"], row["board"], row["operator"], row["emulated"]) == ("1.0", "EPF", None, False)
-    track = np.array(row["thumbnail"]["track"])
+    assert row.thumbnail is not None
+    assert row.distance_nm is not None
+    assert row.highest_ft == 984.3
+    assert row.fastest_kt == 97.2
+    assert abs(row.distance_nm - 590.0 * 50.0 / 1852.0) < 0.05
+    assert (row.station, row.board, row.operator, row.emulated) == ("1.0", "EPF", None, False)
+    track = np.array(row.thumbnail.track)
     assert track.min() >= 0.0
     assert track.max() <= 1.0
     assert np.ptp(track, axis=0).min() > 0.95, "a circle stays one"
-    assert len(row["thumbnail"]["altitude"]) == 80
+    assert len(row.thumbnail.altitude) == 80
     nothing = summarise(MadeFlight({}), [])
-    assert (nothing["highest_ft"], nothing["thumbnail"]) == (None, None)
+    assert (nothing.highest_ft, nothing.thumbnail) == (None, None)
 
 
 def test_the_track_holds_no_point_without_a_fix_and_every_other() -> None:
@@ -189,10 +192,10 @@ def test_the_overview_shows_altitude_and_silence() -> None:
     keep = (t_s < 200.0) | (t_s > 300.0)
     flight._samples["gps"] = (t_s[keep], {name: values[keep] for name, values in fields.items()})
     seen = answers.overview(flight, PeriodCache(), 60)
-    assert seen["signal"] == "gps.altitude_m"
-    assert seen["altitude_ft"][25] is None
-    assert seen["altitude_ft"][-1] == 984.3
-    ((begin, end),) = seen["gaps"]
+    assert seen.signal == "gps.altitude_m"
+    assert seen.altitude_ft[25] is None
+    assert seen.altitude_ft[-1] == 984.3
+    ((begin, end),) = seen.gaps
     assert (round(begin), round(end)) == (200, 300)
 
 
@@ -250,7 +253,7 @@ def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
 
 def clocks(*noted: dict[str, Any]) -> tuple[float, bool]:
     row = summarise(MadeFlight({}, [Note(START_NS, notes.CLOCK, one) for one in noted]), [])
-    return row["clock_ahead_s"], row["clock_unsure"]
+    return row.clock_ahead_s, row.clock_unsure
 
 
 def test_the_last_word_about_the_clock_holds_for_the_whole_flight() -> None:

@@ -10,6 +10,7 @@ import orjson
 import pyarrow as pa
 import pytest
 
+from epf_gcs.contract.flight_questions import SpanQuestion
 from epf_gcs.flights.serve import Flights, serve
 from epf_gcs.recordings.places import Places
 from epf_gcs.workers.pipe import receive, send
@@ -36,7 +37,7 @@ def ask(data: Path, *questions: dict[str, Any]) -> list[tuple[dict[str, Any], by
     replies.seek(0)
     found = []
     while (answer := receive(replies)) is not None:
-        found.append(answer)
+        found.append((orjson.loads(answer[0]), answer[1]))
     assert len(found) == len(questions)
     return found
 
@@ -115,15 +116,15 @@ def test_what_cannot_be_answered_is_told_and_the_next_question_is_answered(
     data: Path, question: dict[str, Any], code: str
 ) -> None:
     (head, body), (after, _) = ask(data, question, {"do": "span"})
-    assert (head["code"], body) == (code, b"")
-    assert head["detail"]
+    assert (head["fault"]["code"], body) == (code, b"")
+    assert head["fault"]["detail"]
     assert after == {}
 
 
 def test_columns_that_were_made_again_are_read_again(tmp_path: Path) -> None:
     indexed(tmp_path, recording(4))
     flights = Flights(Places(tmp_path))
-    question = {"flight": FLIGHT, "growing": False, "do": "span"}
+    question = SpanQuestion(FLIGHT, growing=False)
     before = orjson.loads(flights.answer(question))
     indexed(tmp_path, recording(8))
     after = orjson.loads(flights.answer(question))

@@ -8,12 +8,13 @@ import sqlite3
 from pathlib import Path
 from typing import Any
 
-import orjson
 import pytest
 
-from epf_gcs.library.about import About, read_about
+from epf_gcs.contract.flights import Fault
+from epf_gcs.library.about import About, KeptMark, read_about
 from epf_gcs.library.folder import KEPT_S, FlightFolder
-from epf_gcs.library.library import SUMMARY_VERSION, FlightQuery, Library, Row
+from epf_gcs.library.library import FlightQuery, Library, Row
+from epf_gcs.recordings.flight_summary import FlightSummary, write_summary
 from epf_gcs.recordings.places import Places, stamp_of
 from tests.support.files import the_one_like
 
@@ -37,9 +38,8 @@ def index(places: Places, flight: str, **figures: Any) -> Path:
     folder = places.columns / "vehicle=unknown" / "date=2026-01-01" / f"flight={flight}"
     folder.mkdir(parents=True, exist_ok=True)
     started_ns = figures.pop("started_ns", 1_767_261_600_000_000_000)
-    found = {"version": SUMMARY_VERSION, "stamp": stamp_of(places.recording(flight)), "started_ns": started_ns}
-    found |= {"ended_ns": started_ns + 60_000_000_000, "marks": 0, **figures}
-    (folder / "summary.json").write_bytes(orjson.dumps(found))
+    stamp = stamp_of(places.recording(flight))
+    write_summary(folder, FlightSummary(started_ns, started_ns + 60_000_000_000, stamp=stamp, **figures))
     return folder
 
 
@@ -126,7 +126,7 @@ def test_why_a_recording_could_not_be_indexed_is_kept_until_it_changes(places: P
     path = record(places, FIRST)
     library = Library(places)
     library.refresh(None)
-    fault = {"code": "recording_foreign", "detail": "It is none.", "params": {}}
+    fault = Fault("recording_foreign", "It is none.", {})
     library.failed(FIRST, row_of(library, FIRST).stamp, fault)
     library.refresh(None)
     assert row_of(library, FIRST).fault == fault
@@ -139,7 +139,7 @@ def test_why_a_recording_could_not_be_indexed_is_kept_until_it_changes(places: P
 def test_a_library_that_was_lost_is_made_again_with_all_that_people_said(places: Places, loss: str) -> None:
     record(places, FIRST)
     index(places, FIRST, highest_ft=800.0)
-    said = About(title="Primero", tags=["a"], notes="n", pinned=True, marks=[{"id": "m", "text": "here"}])
+    said = About(title="Primero", tags=["a"], notes="n", pinned=True, marks=[KeptMark("m", "here")])
     library = Library(places)
     library.refresh(None)
     library.say(FIRST, said)
@@ -160,7 +160,7 @@ def test_a_library_that_was_lost_is_made_again_with_all_that_people_said(places:
     row = row_of(library, FIRST)
     assert row.about == said
     assert row.summary is not None
-    assert row.summary["highest_ft"] == 800.0
+    assert row.summary.highest_ft == 800.0
     assert places.library.with_name("library.sqlite.damaged").exists() == loss.startswith("damaged")
     library.close()
 

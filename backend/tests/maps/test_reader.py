@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import cast
 
+import msgspec
 import pytest
 
 from epf_gcs.errors import GatewayError
@@ -45,7 +46,7 @@ def test_a_description_comes_whole_through_the_pipe() -> None:
     one = Description(
         "t", "terrain", Bounds(1, 2, 3, 4), 0, 1, "©", available=((Range(0, 0, 1, 0),), ()), extensions=("watermask",)
     )
-    assert Description.from_dict(one.as_dict()) == one
+    assert msgspec.json.decode(msgspec.json.encode(one), type=Description) == one
 
 
 def test_a_fault_comes_with_its_code_and_its_words(reader: Reader, tmp_path: Path) -> None:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Final, cast
 
+import msgspec
 import pytest
 
-from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, Jump, SimulatorMotion
+from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, Jump, MotionState, SimulatorMotion
 from epf_gcs.xplane.datagram import Eight
 from tests.support.simulator import NO, ROWS
 
@@ -21,9 +23,8 @@ class Flown:
     """A simulator whose rows come 50 times a second."""
 
     def __init__(self) -> None:
-        self.motion = SimulatorMotion()
         self.jumps: list[Jump] = []
-        self.motion.on_jump = self.jumps.append
+        self.motion = SimulatorMotion(self.jumps.append)
         self.rows = {row: cast(Eight, ROWS[row]) for row in MOTION_ROWS}
         self.now_s = START_S
 
@@ -167,7 +168,7 @@ def test_what_is_kept_goes_on_as_it_was() -> None:
     flown, again = Flown(), Flown()
     flown.fly(1.0)
     flown.send(0.2)
-    again.motion.restore(json.loads(json.dumps(flown.motion.kept())))
+    again.motion.state = msgspec.convert(json.loads(json.dumps(asdict(flown.motion.state))), MotionState, str_keys=True)
     again.rows, again.now_s = dict(flown.rows), flown.now_s
     for one in (flown, again):
         one.send(0.2)
@@ -175,7 +176,7 @@ def test_what_is_kept_goes_on_as_it_was() -> None:
         one.change(20, 1, 0.0)
         one.send()
     assert again.jumps == flown.jumps
-    assert again.motion.kept() == flown.motion.kept()
+    assert again.motion.state == flown.motion.state
 
 
 def test_of_another_simulator_nothing_is_known() -> None:

@@ -4,14 +4,25 @@ from __future__ import annotations
 
 import json
 
+import msgspec
+
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Meaning
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.vehicle.vehicle import Vehicle
+from epf_gcs.vehicle.vehicle import Vehicle, VehicleState
 from epf_gcs.xplane.datagram import Record, build
 from tests.codec.streams import damage, mixed_frames
 from tests.support.outlet import KeptOutlet
+
+
+def as_json(state: VehicleState) -> str:
+    """As a key frame holds it."""
+    return json.dumps(msgspec.to_builtins(state))
+
+
+def from_json(text: str) -> VehicleState:
+    return msgspec.convert(json.loads(text), VehicleState, str_keys=True)
 
 
 class SetClock:
@@ -249,7 +260,7 @@ def test_a_vehicle_that_goes_on_from_what_was_kept_says_the_same_as_one_that_fle
     through.vehicle.board.attach(Sink())
     through.vehicle.simulator.begin("xp12")
     for place in range(0, len(pieces), 31):
-        kept.append((place, through.clock.at_s, json.dumps(through.vehicle.kept())))
+        kept.append((place, through.clock.at_s, as_json(through.vehicle.kept())))
         sent.append((len(through.outlet.samples), len(through.outlet.events)))
         fly_on(through, pieces[place : place + 31], place)
     expected = everything(through)
@@ -257,7 +268,7 @@ def test_a_vehicle_that_goes_on_from_what_was_kept_says_the_same_as_one_that_fle
     for (place, at_s, state), (samples, events) in zip(kept, sent, strict=True):
         again = Flown(at_s)
         again.vehicle.board.attach(Sink())
-        again.vehicle.restore(json.loads(state))
+        again.vehicle.restore(from_json(state))
         assert (again.outlet.samples, again.outlet.events) == ([], [])
         fly_on(again, pieces[place:], place)
         assert again.outlet.samples == through.outlet.samples[samples:]
@@ -281,6 +292,6 @@ def test_text_that_waited_for_its_end_when_the_state_was_kept_is_shown_after_the
     flown.vehicle.board.on_bytes(b"prompt> ")
     flown.vehicle.board.tick()
     assert flown.outlet.events == []
-    again.vehicle.restore(json.loads(json.dumps(flown.vehicle.kept())))
+    again.vehicle.restore(from_json(as_json(flown.vehicle.kept())))
     again.vehicle.board.tick()
     assert again.outlet.events == [("console", {"direction": "received", "text": "prompt>", "client": None})]

@@ -11,14 +11,14 @@ import pytest
 from epf_gcs.workers.asked_process import AskedProcess
 
 PROGRAM = """
-import sys, time
+import json, sys, time
 from epf_gcs.workers.pipe import receive, send
 
 time.sleep({starts_s})
 send(sys.stdout.buffer, {{}})
 while (message := receive(sys.stdin.buffer)) is not None:
-    time.sleep(message[0]["takes_s"])
-    send(sys.stdout.buffer, message[0])
+    time.sleep(json.loads(message[0])["takes_s"])
+    send(sys.stdout.buffer, json.loads(message[0]))
 """
 
 
@@ -42,11 +42,11 @@ def slow_to_start(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[A
 
 
 def test_a_slow_start_is_not_blamed_on_the_first_request(slow_to_start: AskedProcess) -> None:
-    assert slow_to_start.ask({"takes_s": 0}, longest_s=0.5) == ({"takes_s": 0}, b"")
+    assert slow_to_start.ask({"takes_s": 0}, longest_s=0.5) == (b'{"takes_s":0}', b"")
 
 
 def test_a_request_that_takes_too_long_ends_the_process_and_the_next_one_is_answered(
     slow_to_start: AskedProcess,
 ) -> None:
     assert slow_to_start.ask({"takes_s": 60}, longest_s=0.1) is None
-    assert slow_to_start.ask({"takes_s": 0}, longest_s=5) == ({"takes_s": 0}, b"")
+    assert slow_to_start.ask({"takes_s": 0}, longest_s=5) == (b'{"takes_s":0}', b"")

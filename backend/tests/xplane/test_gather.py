@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import random
+from dataclasses import asdict
 
+import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from epf_gcs.xplane.datagram import Record
-from epf_gcs.xplane.gather import Gatherer
+from epf_gcs.xplane.gather import Gatherer, GathererState
 from epf_gcs.xplane.mapping import XplaneInfo
 
 ORDER = (3, 4, 6, 8, 11, 16, 17, 18, 20, 25)
@@ -191,11 +193,11 @@ def test_one_that_goes_on_from_what_was_kept_makes_the_same_commands_from_there(
     through = Gatherer("xp10")
     kept, made = [], []
     for now_s, record in stream:
-        kept.append(json.dumps(through.kept()))
+        kept.append(json.dumps(asdict(through.kept())))
         made.append(through.take([record], now_s))
     for place, state in enumerate(kept):
         again = Gatherer("xp10")
-        again.restore(json.loads(state))
+        again.restore(msgspec.convert(json.loads(state), GathererState, str_keys=True))
         assert [again.take([record], now_s) for now_s, record in stream[place:]] == made[place:]
         assert again.kept() == through.kept()
 

@@ -54,6 +54,15 @@ class AlarmLimits(Shape):
 
 
 @dataclass(frozen=True, slots=True)
+class TrackState(Shape):
+    """What is drawn now; `can_restore`: the track that was cleared last is still kept."""
+
+    flight_points: int
+    hil_points: int
+    can_restore: bool
+
+
+@dataclass(frozen=True, slots=True)
 class PortState(Shape):
     """A serial port. `identity` is the same wherever the device is plugged in."""
 

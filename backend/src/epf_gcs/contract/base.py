@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, ClassVar, Literal
 
+Values = Mapping[str, Any]
+"""The values of a topic's sample by name, as the wire's definition has them; None is no data."""
 LinkState = Literal["closed", "opening", "open", "lost"]
 ParamValue = str | float | bool | None
 PlanName = Literal["flight", "hil"]
@@ -21,6 +24,11 @@ def _without_defaults(schema: dict[str, Any]) -> None:
     """A field that is always sent has no default for whoever reads it."""
     for field in schema.get("properties", {}).values():
         field.pop("default", None)
+
+
+def numbers_of(params: Mapping[str, ParamValue]) -> dict[str, ParamValue]:
+    """An error's values as the interface has them: a whole number is a number like others."""
+    return {name: value if isinstance(value, str | bool | None) else float(value) for name, value in params.items()}
 
 
 class Shape:

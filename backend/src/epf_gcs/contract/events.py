@@ -58,9 +58,9 @@ class Event(Shape):
 
 
 class Say(Protocol):
-    """Send an event of a subject to every page: its name and its plain values."""
+    """Send an event of a subject to every page: its name and its data."""
 
-    def __call__(self, name: SubjectEvent, data: Mapping[str, Any], /) -> None:
+    def __call__(self, name: SubjectEvent, data: Shape, /) -> None:
         """Say it now."""
 
 

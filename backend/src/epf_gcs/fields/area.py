@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -65,15 +65,6 @@ class Area:
                 raise too_large()
             found |= {((column + 180) % 360 - 180, row) for column in columns for row in rows}
         return np.array(sorted(found), dtype=np.int64).reshape(-1, 2)
-
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        return {"points": [list(point) for point in self.points], "radius_m": self.radius_m}
-
-    @classmethod
-    def from_dict(cls, values: dict[str, Any]) -> Area:
-        """The inverse of `as_dict`."""
-        return cls(tuple((float(lat), float(lon)) for lat, lon in values["points"]), float(values["radius_m"]))
 
     def _of_segment(self, a: tuple[float, float], b: tuple[float, float], zoom: int) -> Places:
         south_deg, north_deg, west_deg, east_deg = _around(a, b, self.radius_m)

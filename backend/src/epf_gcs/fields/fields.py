@@ -8,17 +8,20 @@ import filecmp
 import secrets
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
-import orjson
+import msgspec
 import structlog
 
 from epf_gcs.contract.events import Say
+from epf_gcs.contract.maps import FieldProof
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, NotFoundError
-from epf_gcs.fields.job import FieldJob, FieldState, kept_jobs
+from epf_gcs.fields.job import FieldJob, FieldState, at_rest, kept_jobs
 from epf_gcs.fields.order import Level, Order, check, estimate, made_bytes
 from epf_gcs.fields.pack import END
+from epf_gcs.fields.work import FieldLine, Prepare, Prove, Work
 from epf_gcs.fields.worker import PACK, not_written
 from epf_gcs.maps.files import id_of, safe_name
 from epf_gcs.maps.folder import exists
@@ -104,7 +107,7 @@ class Fields:
         if job.state != "running":
             raise _is_not(job)
         job.state = "paused"
-        job.progress.update({"waits_s": None, "waits_for": None, "left_s": None, "bytes_per_s": 0})
+        job.progress = at_rest(job.progress)
         await self._end_worker(job)
         if job.is_done():
             return job  # in just this moment
@@ -133,23 +136,22 @@ class Fields:
             job.state = "failed" if before != "done" else before
             raise not_written(job.order.name, error.strerror or str(error)) from error
         self._all.pop(job.id, None)
-        self._say("map_field", {**job.as_dict(), "state": "removed"})
+        self._say("map_field", replace(job.told, state="removed"))
 
-    async def prove(self, layer_id: str) -> dict[str, Any]:
+    async def prove(self, layer_id: str) -> FieldProof:
         """Compare every tile of a field's file with its manifest. Raises NotFoundError, InvalidInputError."""
         path = await self._maps.file_of(layer_id)
         if path.suffix.lower() != END:
             raise InvalidInputError("field_no_field", f"'{path.name}' is no prepared field.", name=path.name)
-        told: dict[str, Any] = {}
-        problem = await self._work({"do": "prove", "path": str(path), "name": path.name}, told.update, lambda _: None)
+        told: list[FieldLine] = []
+        problem = await self._work(Prove(str(path), path.name), told.append, lambda _: None)
         if problem is not None:
             raise problem
-        if "done" not in told:
+        if not told or told[-1].proof is None:
             raise InvalidInputError(
                 "field_not_whole", f"'{path.name}' is not whole: remove it.", name=path.name, why="it cannot be read"
             )
-        found: dict[str, Any] = told["done"]
-        return found
+        return told[-1].proof
 
     async def close(self) -> None:
         """End the worker; its field goes on at the next start."""
@@ -176,16 +178,17 @@ class Fields:
     async def _until_done(self, job: FieldJob) -> GatewayError | None:
         tries, arrived = 0, -1
         while job.is_running():
-            heard: dict[str, Any] = {}
+            last = FieldLine()
 
-            def hear(told: dict[str, Any], heard: dict[str, Any] = heard) -> None:
-                heard.update(told)
-                if "doing" in told and job.is_running():
-                    job.hear(told)
+            def hear(line: FieldLine) -> None:
+                nonlocal last
+                last = line
+                if line.progress is not None and job.is_running():
+                    job.hear(line.progress)
                     self._tell(job)
 
             problem = await self._work(
-                {"do": "prepare", "folder": str(job.folder), "servers": self._maps.online.consent.servers},
+                Prepare(str(job.folder), self._maps.online.consent.servers),
                 hear,
                 lambda process: self._started(job, process),
             )
@@ -193,11 +196,11 @@ class Fields:
                 return None
             if problem is not None:
                 return problem
-            if "done" in heard:
+            if last.is_done:
                 return await self._take_in(job)
             # It was killed: it goes on, unless that comes to nothing.
-            tries = 0 if job.progress["tiles"] > arrived else tries + 1
-            arrived = job.progress["tiles"]
+            tries = 0 if job.progress.tiles > arrived else tries + 1
+            arrived = job.progress.tiles
             if tries >= _MOST_STARTS:
                 return ConflictError(
                     "field_worker_died",
@@ -229,7 +232,7 @@ class Fields:
             return not_written(job.order.name, error.strerror or str(error))
         with contextlib.suppress(OSError):
             await self._maps.in_thread(job.drop)
-        job.progress.update({"doing": "done", "percent": None, "bytes_total": job.progress["bytes"]})
+        job.progress = replace(job.progress, doing="done", percent=None, bytes_total=job.progress.bytes)
         job.state = "done"
         self._forget_old()
         self._tell(job)
@@ -237,8 +240,8 @@ class Fields:
 
     async def _work(
         self,
-        asked: dict[str, Any],
-        hear: Callable[[dict[str, Any]], None],
+        asked: Work,
+        hear: Callable[[FieldLine], None],
         started: Callable[[asyncio.subprocess.Process], None],
     ) -> GatewayError | None:
         """Run a worker to its end; the problem that it told. Raises OSError."""
@@ -247,8 +250,8 @@ class Fields:
             started(process)
             if process.stdin is not None:
                 # Stdin stays open: the worker ends when the station does, however that ends.
-                process.stdin.write(orjson.dumps(asked) + b"\n")
-            problem = await hear_lines(process, hear, ConflictError)
+                process.stdin.write(msgspec.json.encode(asked) + b"\n")
+            problem = await hear_lines(process, FieldLine, hear, ConflictError)
             await process.wait()
         return problem
 
@@ -285,7 +288,7 @@ class Fields:
         return found
 
     def _tell(self, job: FieldJob) -> None:
-        self._say("map_field", job.as_dict())
+        self._say("map_field", job.told)
 
 
 def _is_not(job: FieldJob) -> ConflictError:

@@ -3,35 +3,31 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
-import orjson
+import msgspec
 
+from epf_gcs.contract.flights import Fault
+from epf_gcs.contract.maps import FieldSourceName, PreparedField, problem_parts
 from epf_gcs.disk import replace_file
 from epf_gcs.errors import GatewayError
 from epf_gcs.fields.order import Order
+from epf_gcs.fields.work import FieldProgress
 from epf_gcs.fields.worker import ORDER
 
 STATE: Final = "state.json"
 
 FieldState = Literal["running", "paused", "failed", "done"]
 
-_NO_PROGRESS: Final[dict[str, Any]] = {
-    "doing": "waiting",
-    "percent": None,
-    "tiles": 0,
-    "tiles_total": 0,
-    "tiles_missing": 0,
-    "bytes": 0,
-    "bytes_total": 0,
-    "bytes_per_s": 0,
-    "left_s": None,
-    "retries": 0,
-    "waits_s": None,
-    "waits_for": None,
-}
+
+class KeptState(msgspec.Struct):
+    """The file: what a restart goes on from."""
+
+    state: FieldState
+    progress: FieldProgress
+    problem: Fault | None
 
 
 @dataclass(slots=True)
@@ -44,7 +40,7 @@ class FieldJob:
     state: FieldState = "running"
     problem: GatewayError | None = None
     layer: str | None = None
-    progress: dict[str, Any] = field(default_factory=lambda: dict(_NO_PROGRESS))
+    progress: FieldProgress = field(default_factory=FieldProgress)
 
     @property
     def file_name(self) -> str:
@@ -59,54 +55,58 @@ class FieldJob:
         """Whether its file is in the maps' folder."""
         return self.state == "done"
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        progress = {**self.progress}
-        waits = progress.pop("waits_for") or {}
-        problem = self.problem
-        if problem is None and waits:
-            told = {"problem": waits["detail"], "problem_code": waits["code"], "problem_params": waits["params"]}
-        else:
-            told = {
-                "problem": None if problem is None else problem.detail,
-                "problem_code": None if problem is None else problem.code,
-                "problem_params": {} if problem is None else problem.params,
-            }
-        return {
-            "id": self.id,
-            "name": self.order.name,
-            "state": self.state,
-            "layer": self.layer,
-            "sources": [{"kind": part.kind, "name": part.name} for part in self.order.parts],
-            **progress,
-            **told,
-        }
+    @property
+    def told(self) -> PreparedField:
+        """As the interface gives it: its problem, or what it waits for."""
+        progress = self.progress
+        waits = progress.waits_for if self.problem is None else None
+        problem = problem_parts(self.problem) if waits is None else (waits.detail, waits.code, waits.params)
+        return PreparedField(
+            *problem,
+            id=self.id,
+            name=self.order.name,
+            state=self.state,
+            doing=progress.doing,
+            percent=progress.percent,
+            layer=self.layer,
+            sources=[FieldSourceName(part.kind, part.name) for part in self.order.parts],
+            tiles=progress.tiles,
+            tiles_total=progress.tiles_total,
+            tiles_missing=progress.tiles_missing,
+            bytes=progress.bytes,
+            bytes_total=progress.bytes_total,
+            bytes_per_s=progress.bytes_per_s,
+            left_s=progress.left_s,
+            retries=progress.retries,
+            waits_s=progress.waits_s,
+        )
 
-    def hear(self, told: dict[str, Any]) -> None:
+    def hear(self, told: FieldProgress) -> None:
         """What its worker said of the progress: counts stay as they are while something is made of them."""
-        if told["doing"] != "fetching":
-            told = {"waits_s": None, "waits_for": None, "left_s": None, "bytes_per_s": 0, **told}
-        self.progress.update(told)
+        if told.doing != "fetching":
+            told = at_rest(replace(self.progress, doing=told.doing, percent=told.percent))
+        self.progress = told
 
     def write_order(self) -> None:
         """Make its folder. Raises OSError."""
         self.folder.mkdir(parents=True)
-        replace_file(self.folder / ORDER, orjson.dumps(self.order.as_dict()))
+        replace_file(self.folder / ORDER, self.order.as_json())
 
     def write_state(self) -> None:
         """Remember it over a restart. Raises OSError."""
-        problem = self.problem
-        kept = {
-            "state": self.state,
-            "progress": {**self.progress, "waits_for": None, "waits_s": None},
-            "problem": None if problem is None else problem.as_dict(),
-        }
-        replace_file(self.folder / STATE, orjson.dumps(kept))
+        problem = None if self.problem is None else Fault.of(self.problem)
+        kept = KeptState(self.state, replace(self.progress, waits_for=None, waits_s=None), problem)
+        replace_file(self.folder / STATE, msgspec.json.encode(kept))
 
     def drop(self) -> None:
         """Delete its folder with all that arrived. Raises OSError if something is left."""
         if self.folder.exists():
             shutil.rmtree(self.folder)
+
+
+def at_rest(progress: FieldProgress) -> FieldProgress:
+    """The same while nothing is fetched."""
+    return replace(progress, waits_s=None, waits_for=None, left_s=None, bytes_per_s=0)
 
 
 def kept_jobs(folder: Path) -> list[FieldJob]:
@@ -123,17 +123,14 @@ def kept_jobs(folder: Path) -> list[FieldJob]:
 
 def _kept(folder: Path) -> FieldJob | None:
     try:
-        order = Order.from_dict(orjson.loads((folder / ORDER).read_bytes()))
-    except (OSError, ValueError, KeyError, TypeError):
+        order = Order.from_json((folder / ORDER).read_bytes())
+    except (OSError, ValueError):
         return None
     job = FieldJob(folder.name, folder, order)
     try:
-        kept = orjson.loads((folder / STATE).read_bytes())
-        job.state = kept["state"]
-        job.progress = {**_NO_PROGRESS, **kept["progress"]}
-        said = kept["problem"]
-        job.problem = None if said is None else GatewayError(said["code"], said["detail"], **said["params"])
-    except (OSError, ValueError, KeyError, TypeError):
-        # Killed before it was written: it goes on.
-        job.state = "running"
+        kept = msgspec.json.decode((folder / STATE).read_bytes(), type=KeptState)
+    except (OSError, ValueError):
+        return job  # killed before it was written: it goes on
+    job.state, job.progress, said = kept.state, kept.progress, kept.problem
+    job.problem = None if said is None else GatewayError(said.code, said.detail, **said.params)
     return job

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
-from typing import Any, Final, Literal, NamedTuple
+from dataclasses import dataclass
+from typing import Final, Literal, NamedTuple
 from urllib.parse import urlsplit
+
+import msgspec
 
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.extras import MAPS
@@ -88,14 +90,14 @@ class Order:
     area: Area
     parts: tuple[Part, ...]
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        return {"name": self.name, "area": self.area.as_dict(), "parts": [asdict(part) for part in self.parts]}
+    def as_json(self) -> bytes:
+        """For its file."""
+        return msgspec.json.encode(self)
 
-    @classmethod
-    def from_dict(cls, values: dict[str, Any]) -> Order:
-        """The inverse of `as_dict`. Raises KeyError, TypeError, ValueError."""
-        return cls(str(values["name"]), Area.from_dict(values["area"]), tuple(Part(**part) for part in values["parts"]))
+    @staticmethod
+    def from_json(text: bytes) -> Order:
+        """The inverse. Raises ValueError."""
+        return msgspec.json.decode(text, type=Order)
 
 
 class Level(NamedTuple):

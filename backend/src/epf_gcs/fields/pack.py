@@ -12,12 +12,14 @@ import os
 import sqlite3
 from collections.abc import Iterator
 from contextlib import closing
+from dataclasses import asdict
 from pathlib import Path
 from typing import Final, NamedTuple
 from urllib.parse import quote
 
 import orjson
 
+from epf_gcs.contract.maps import FieldProof
 from epf_gcs.disk import sync_folder
 from epf_gcs.errors import GatewayError, InvalidInputError
 from epf_gcs.fields.order import Order, Place
@@ -42,14 +44,6 @@ class Section(NamedTuple):
     south: bool = False
 
 
-class Proof(NamedTuple):
-    """What a whole file holds: tiles, their bytes, and the digest of the manifest."""
-
-    tiles: int
-    bytes: int
-    sha256: str
-
-
 def write_pack(path: Path, order: Order, sections: list[Section]) -> None:
     """Write the file, synced to the disk. Raises OSError, sqlite3.Error."""
     path.unlink(missing_ok=True)
@@ -70,7 +64,7 @@ def write_pack(path: Path, order: Order, sections: list[Section]) -> None:
             _write_section(file, section)
         file.execute(
             f"INSERT INTO metadata VALUES ('{_NOTES}', ?)",  # noqa: S608
-            (orjson.dumps({"version": 1, "order": order.as_dict(), "proof": _digest(file)._asdict()}).decode(),),
+            (orjson.dumps({"version": 1, "order": order, "proof": _digest(file)}).decode(),),
         )
         file.commit()
     with path.open("rb") as written:
@@ -78,7 +72,7 @@ def write_pack(path: Path, order: Order, sections: list[Section]) -> None:
     sync_folder(path.parent)
 
 
-def prove(path: Path, name: str) -> Proof:
+def prove(path: Path, name: str) -> FieldProof:
     """Compare every tile of a file, which may be a stranger's, with its manifest. Raises InvalidInputError."""
     try:
         with closing(sqlite3.connect(f"file:{quote(str(path.absolute()))}?mode=ro&immutable=1", uri=True)) as file:
@@ -102,21 +96,21 @@ def _write_section(file: sqlite3.Connection, section: Section) -> None:
     file.commit()
 
 
-def _digest(file: sqlite3.Connection) -> Proof:
+def _digest(file: sqlite3.Connection) -> FieldProof:
     digest, tiles, total_bytes = hashlib.sha256(), 0, 0
     for section, zoom, column, row, length, sha in file.execute("SELECT * FROM manifest"):
         digest.update(f"{section} {zoom}/{column}/{row} {length} {bytes(sha).hex()}\n".encode())
         tiles, total_bytes = tiles + 1, total_bytes + int(length)
-    return Proof(tiles, total_bytes, digest.hexdigest())
+    return FieldProof(tiles, total_bytes, digest.hexdigest())
 
 
-def _compared(file: sqlite3.Connection, name: str) -> Proof:
+def _compared(file: sqlite3.Connection, name: str) -> FieldProof:
     (notes,) = file.execute("SELECT value FROM metadata WHERE name = ?", (_NOTES,)).fetchone() or (None,)
     if notes is None:
         raise _not_whole(name, "no manifest")
     said = orjson.loads(notes)["proof"]
     found = _digest(file)
-    if found._asdict() != said:
+    if asdict(found) != said:
         raise _not_whole(name, "the manifest is not the one it was made with")
     told = {tuple(row[:4]): (row[4], bytes(row[5])) for row in file.execute("SELECT * FROM manifest")}
     named = "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = ?"

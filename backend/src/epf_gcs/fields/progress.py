@@ -5,11 +5,13 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Final
 
+from epf_gcs.contract.flights import Fault
 from epf_gcs.errors import GatewayError
 from epf_gcs.fields.order import Kind, Order, estimate, made_bytes, mean_bytes
 from epf_gcs.fields.part_file import PartFile, TileCounts
+from epf_gcs.fields.work import FieldProgress
 from epf_gcs.repeating import repeat
 
 _TELL_EVERY_S: Final = 0.25
@@ -19,7 +21,7 @@ _RATE_OVER_S: Final = 20.0
 class Progress:
     """Of one run; what arrived in earlier runs counts, but not for the rate."""
 
-    def __init__(self, order: Order, arrived: PartFile, say: Callable[[dict[str, Any]], None]) -> None:
+    def __init__(self, order: Order, arrived: PartFile, say: Callable[[FieldProgress], None]) -> None:
         self._say = say
         self._arrived: dict[Kind, TileCounts] = {part.kind: arrived.arrived(part.kind) for part in order.parts}
         self._total: dict[Kind, int] = dict.fromkeys(self._arrived, 0)
@@ -70,20 +72,19 @@ class Progress:
         coming = pieces - first_pieces
         problem = self._problem
         self._say(
-            {
-                "doing": "fetching",
-                "percent": None,
-                "tiles": pieces,
-                "tiles_total": sum(self._total.values()),
-                "tiles_missing": sum(one.missing for one in self._arrived.values()),
-                "bytes": total_bytes,
-                "bytes_total": self._expected_bytes(),
-                "bytes_per_s": round((total_bytes - first_bytes) / took_s),
-                "left_s": round(left * took_s / coming) if coming > 0 else None,
-                "retries": self._retries,
-                "waits_s": None if problem is None else max(0.0, round(self._wait_until_s - at_s, 1)),
-                "waits_for": None if problem is None else problem.as_dict(),
-            }
+            FieldProgress(
+                doing="fetching",
+                tiles=pieces,
+                tiles_total=sum(self._total.values()),
+                tiles_missing=sum(one.missing for one in self._arrived.values()),
+                bytes=total_bytes,
+                bytes_total=self._expected_bytes(),
+                bytes_per_s=round((total_bytes - first_bytes) / took_s),
+                left_s=round(left * took_s / coming) if coming > 0 else None,
+                retries=self._retries,
+                waits_s=None if problem is None else max(0.0, round(self._wait_until_s - at_s, 1)),
+                waits_for=None if problem is None else Fault.of(problem),
+            )
         )
 
     def _expected_bytes(self) -> int:

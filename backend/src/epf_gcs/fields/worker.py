@@ -1,8 +1,8 @@
 """Prepares one field, in a process of its own with limits. `python -m epf_gcs.fields.worker`.
 
-Its first line on stdin says what to do: {"do": "prepare", "folder", "servers"} or {"do": "prove", "path", "name"}. It
-prints a line of JSON for each step, and one with the problem if it fails. It ends when stdin is closed, so that it
-never outlives the station, and can be killed at any moment: what has arrived is kept.
+Its first line on stdin says what to do (`Work`). It prints a line of JSON for each step (`FieldLine`), and one with the
+problem if it fails. It ends when stdin is closed, so that it never outlives the station, and can be killed at any
+moment: what has arrived is kept.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import httpx
-import orjson
+import msgspec
 
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.fields.fetching import USER_AGENT, Fetcher, Pace
@@ -29,6 +29,7 @@ from epf_gcs.fields.order import Order, Part, Place
 from epf_gcs.fields.pack import Section, prove, write_pack
 from epf_gcs.fields.part_file import PartFile
 from epf_gcs.fields.progress import Progress
+from epf_gcs.fields.work import FieldProgress, Prove, Work
 from epf_gcs.maps.field_set import VECTOR
 from epf_gcs.maps.imports import RESERVE_BYTES
 from epf_gcs.maps.outside import Consent, OutsideTransport
@@ -44,21 +45,21 @@ _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _MOST_TRIES: Final = 3
 _LOOK_AT_DISK_EVERY: Final = 50
 
-Say = Callable[[dict[str, Any]], None]
+Say = Callable[[FieldProgress], None]
 
 
 def main() -> int:
     """Do what the first line says."""
     be_nice()
     limit_memory(_MOST_MEMORY_BYTES)
-    asked = orjson.loads(sys.stdin.buffer.readline())
+    asked = msgspec.json.decode(sys.stdin.buffer.readline(), type=Work)
     threading.Thread(target=_end_with_the_station, daemon=True).start()
     try:
-        if asked["do"] == "prove":
-            tell({"done": prove(Path(asked["path"]), asked["name"])._asdict()})
+        if isinstance(asked, Prove):
+            tell({"proof": prove(Path(asked.path), asked.name)})
         else:
-            prepare(Path(asked["folder"]), Consent(asked["servers"]), Pace(), tell)
-            tell({"done": {}})
+            prepare(Path(asked.folder), Consent(asked.servers), Pace(), lambda progress: tell({"progress": progress}))
+            tell({"is_done": True})
     except GatewayError as error:
         tell_fault(error)
         return 1
@@ -70,7 +71,7 @@ def prepare(folder: Path, consent: Consent, pace: Pace, say: Say) -> None:
 
     Raises GatewayError with what somebody has to correct.
     """
-    order = Order.from_dict(orjson.loads((folder / ORDER).read_bytes()))
+    order = Order.from_json((folder / ORDER).read_bytes())
     try:
         _prepare(folder, order, consent, pace, say)
     except sqlite3.Error as error:
@@ -156,13 +157,13 @@ def _makes(folder: Path, order: Order, arrived: PartFile, say: Say) -> bool:
         except making.BadPieceError as error:
             arrived.drop("heights", error.place)
             return False
-        making.make_terrain(raster, terrain, lambda percent: say({"doing": "making", "percent": percent}))
+        making.make_terrain(raster, terrain, lambda percent: say(FieldProgress("making", percent)))
         zooms = making.relief_zooms(heights)
         metadata = {**_metadata(order, heights), "minzoom": str(zooms[0]), "maxzoom": str(zooms[-1]), "format": "png"}
         sections.append(Section("relief_", metadata, making.relief(raster, order, heights)))
         metadata = {**_metadata(order, heights), "format": "quantized-mesh-1.0"}
         sections.append(Section("terrain_", metadata, making.terrain_tiles(terrain), south=True))
-    say({"doing": "proving", "percent": None})
+    say(FieldProgress("proving"))
     try:
         write_pack(folder / PACK, order, sections)
     except ValueError:

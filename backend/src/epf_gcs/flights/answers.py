@@ -1,6 +1,6 @@
 """What is asked of one flight: signals, topics, events, overview, track, and what was known at a moment.
 
-Every function gives plain values, as the interface has them, or bytes. Times are seconds since the flight's start.
+Every function gives what the interface sends. Times are seconds since the flight's start.
 """
 
 from __future__ import annotations
@@ -10,12 +10,14 @@ from typing import Any, Final
 import numpy as np
 import pyarrow as pa
 
+from epf_gcs.contract.flights import FlightOverview, FlightTopic, FlightTopics, Signal, Signals, TopicField
 from epf_gcs.flights.derived import find
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
+from epf_gcs.recordings.notes import Content
 from epf_gcs.units import M_PER_FT
 from epf_gcs.vehicle.noted import gains_of, identity_of
 
@@ -37,7 +39,7 @@ def duration_s(flight: FlightData) -> float:
 
 def signals(
     flight: FlightData, periods: PeriodCache, names: list[str], from_s: float | None, to_s: float | None, points: int
-) -> dict[str, Any]:
+) -> Signals:
     """The stretch and its signals, each thinned to about `points` steps. Raises NotFoundError, InvalidInputError.
 
     A signal that this flight does not have is empty; one that the definition does not have is not found.
@@ -50,20 +52,20 @@ def signals(
         signal = find(flight, periods, name)
         thinned = thin(signal.t_s, signal.values, first_s, last_s, points, signal.period_s)
         found.append(
-            {
-                "name": name,
-                "unit": signal.unit,
-                "at_s": np.round(thinned.at_s, 6),
-                "min": thinned.low,
-                "max": thinned.high,
-                "mean": thinned.mean,
-                "count": thinned.known,
-            }
+            Signal(
+                name=name,
+                unit=signal.unit,
+                at_s=np.round(thinned.at_s, 6).tolist(),
+                min=thinned.low.tolist(),
+                max=thinned.high.tolist(),
+                mean=thinned.mean,
+                count=thinned.known,
+            )
         )
-    return {"starts_s": flight.start_ns * _NS, "from_s": first_s, "to_s": last_s, "signals": found}
+    return Signals(flight.start_ns * _NS, first_s, last_s, found)
 
 
-def as_arrow(found: dict[str, Any]) -> bytes:
+def as_arrow(found: Signals) -> bytes:
     """The same as an Arrow stream: one record batch for each signal, with its name in every row."""
     schema = pa.schema(
         [
@@ -73,52 +75,45 @@ def as_arrow(found: dict[str, Any]) -> bytes:
             ("max", pa.float64()),
         ]
     )
-    names = [one["name"] for one in found["signals"]]
+    names = [one.name for one in found.signals]
     sink = pa.BufferOutputStream()
     with pa.ipc.new_stream(sink, schema) as writer:
-        for place, one in enumerate(found["signals"]):
-            codes = pa.array(np.full(len(one["at_s"]), place, dtype=np.int16))
+        for place, one in enumerate(found.signals):
+            codes = pa.array(np.full(len(one.at_s), place, dtype=np.int16))
             named = pa.DictionaryArray.from_arrays(codes, pa.array(names, pa.string()))
-            values = [pa.array(one[key], from_pandas=True) for key in ("at_s", "min", "max")]
+            values = [pa.array(column, pa.float64(), from_pandas=True) for column in (one.at_s, one.min, one.max)]
             writer.write_batch(pa.record_batch([named, *values], schema=schema))
     return bytes(sink.getvalue())
 
 
-def topics(flight: FlightData) -> dict[str, Any]:
+def topics(flight: FlightData) -> FlightTopics:
     """The topics that have samples, with their fields."""
-    return {
-        "topics": [
-            {
-                "name": span.name,
-                "count": span.samples,
-                "first_s": (span.first_ns - flight.start_ns) * _NS,
-                "last_s": (span.last_ns - flight.start_ns) * _NS,
-                "fields": [
-                    {"name": name, "unit": meaning.unit, "kind": meaning.kind}
-                    for name, meaning in fields_of(span.name).items()
-                ],
-            }
+    return FlightTopics(
+        [
+            FlightTopic(
+                name=span.name,
+                count=span.samples,
+                first_s=(span.first_ns - flight.start_ns) * _NS,
+                last_s=(span.last_ns - flight.start_ns) * _NS,
+                fields=[TopicField(name, meaning.unit, meaning.kind) for name, meaning in fields_of(span.name).items()],
+            )
             for span in flight.topics()
         ]
-    }
+    )
 
 
-def overview(flight: FlightData, periods: PeriodCache, points: int) -> dict[str, Any]:
+def overview(flight: FlightData, periods: PeriodCache, points: int) -> FlightOverview:
     """The altitude in `points` even steps, and the stretches without any data."""
     whole_s = duration_s(flight)
     there = {span.name: span for span in flight.topics()}
     best = next((one for one in _ALTITUDES if one[0] in there and _has_values(flight, one[0], one[1])), None)
-    altitude_ft: Any = [None] * points
+    altitude_ft: list[float | None] = [None] * points
     if best is not None:
         topic, field, factor = best
         t_s, values = flight.samples(topic, field)
         altitude_ft = _means(t_s, values * factor, whole_s, points)
-    return {
-        "duration_s": whole_s,
-        "signal": None if best is None else f"{best[0]}.{best[1]}",
-        "altitude_ft": altitude_ft,
-        "gaps": silence(flight, periods),
-    }
+    signal = None if best is None else f"{best[0]}.{best[1]}"
+    return FlightOverview(whole_s, signal, altitude_ft, silence(flight, periods))
 
 
 def silence(flight: FlightData, periods: PeriodCache) -> list[list[float]]:
@@ -168,10 +163,10 @@ def track(flight: FlightData, source: str, most_points: int | None) -> bytes:
     return points_header(epoch=0, first=0, count=total, total=total, t0_s=flight.start_ns * _NS) + points.tobytes()
 
 
-def known(flight: FlightData, at_s: float) -> dict[str, Any]:
+def known(flight: FlightData, at_s: float) -> Content:
     """Identity, gains and plans as they were known at a moment: the newest note of each kind before it."""
     until_ns = flight.start_ns + round(at_s * 1e9)
-    newest: dict[str, Any] = {}
+    newest: dict[str, Content] = {}
     for note in flight.notes():
         if note.t_ns <= until_ns and isinstance(note.content, dict):
             newest[note.name if note.name != notes.PLAN else f"{notes.PLAN} {note.content.get('plan')}"] = note.content

@@ -55,22 +55,15 @@ class Counts:
     is_whole: bool = False
     damage: str | None = None
 
-    def as_dict(self) -> dict[str, Any]:
-        """For JSON. `frames_damaged` counts failed frames alone, as live does."""
-        failed = sum(count for kind, count in self.damaged.items() if kind not in ("noise", "remains"))
-        return {
-            "bytes": self.bytes,
-            "first_ns": self.first_ns,
-            "last_ns": self.last_ns,
-            "frames": sum(count for name, count in self.frames.items() if not name.startswith(SENT)),
-            "frames_damaged": failed,
-            "frames_by_name": dict(self.frames),
-            "damaged_by_kind": dict(self.damaged),
-            "implausible": dict(self.implausible),
-            "gaps": [list(gap) for gap in self.gaps],
-            "is_whole": self.is_whole,
-            "damage": self.damage,
-        }
+    @property
+    def frames_heard(self) -> int:
+        """Good frames from the board."""
+        return sum(count for name, count in self.frames.items() if not name.startswith(SENT))
+
+    @property
+    def frames_damaged(self) -> int:
+        """Failed frames alone, as live counts them."""
+        return sum(count for kind, count in self.damaged.items() if kind not in ("noise", "remains"))
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ through what makes the live samples.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from epf_gcs.codec.messages_gen import DATAGRAM_MAGIC, NO_VALUE, VALUES_PER_ROW, XPLANE_ROWS
 from epf_gcs.flights.convert import T_NS
 from epf_gcs.recordings.parts import Messages
+from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.simulator_samples import SimulatorSamples
 from epf_gcs.xplane.mapping import INFO_SOURCES, NEEDED_ROWS, TRACK_NAME, TRACK_ROW, in_our_unit
 
@@ -137,8 +138,7 @@ class Datagrams:
         info = [pa.array(columns[name]) for name in whole.values()]
         pieces["xplane_info"].append(pa.Table.from_arrays([pa.array(t_ns), *info], schema=INFO))
         raw_shown_s = self._show_raw(t_ns, numbers, records, pieces)
-        state = self._samples.kept()
-        self._samples.restore({**state, "shown_s": float(t_ns[-1]) * 1e-9, "raw_shown_s": raw_shown_s})
+        self._samples.shown(float(t_ns[-1]) * 1e-9, raw_shown_s)
         return True
 
     def _whole_frames(self, numbers: list[int], records: NDArray[Any]) -> NDArray[np.bool_]:
@@ -177,7 +177,7 @@ class Datagrams:
         self, t_ns: NDArray[np.int64], numbers: list[int], records: NDArray[Any], pieces: dict[str, list[pa.Table]]
     ) -> float:
         """Add the raw rows as often as live shows them; returns when that was last (Unix s)."""
-        shown_s: float = self._samples.kept()["raw_shown_s"]
+        shown_s = self._samples.raw_shown_s
         t_s = t_ns * 1e-9
         chosen: list[int] = []
         index = 0
@@ -223,7 +223,7 @@ class _Collector:
         self.t_ns = 0
         self._rows: dict[str, list[dict[str, Any]]] = {topic: [] for topic in _SCHEMAS}
 
-    def take(self, topic: str, _t_s: float, values: Mapping[str, Any], _implausible: Iterable[str] = ()) -> None:
+    def take(self, topic: str, _t_s: float, values: Values, _implausible: Iterable[str] = ()) -> None:
         if topic == "xplane_rows":
             for row, eight in values["rows"].items():
                 named = {f"value_{slot}": one for slot, one in enumerate(eight)}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -10,6 +12,7 @@ import orjson
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from epf_gcs.contract.flights import EventKind, FlightEvent, FlightEvents
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.flight_data import Damage, FlightData
 from epf_gcs.recordings import notes
@@ -20,7 +23,7 @@ FILE: Final = "events.parquet"
 _MODES: Final = ("autopilot", "autotrim", "auto_switch", "autopilot_hil", "source_joystick", "autotrim_hil")
 _PLANS: Final = {"fms_plan": "flight", "fms_hil_plan": "hil"}
 # Kinds of the stream's events, and what they are called here; those that are not listed are no event of a flight.
-_KINDS: Final = {
+_KINDS: Final[Mapping[str, EventKind]] = {
     "advice": "advice",
     "alarm": "alarm",
     "board_restarted": "restart",
@@ -47,49 +50,60 @@ _NO_FRAMES: Final = ("noise", "remains", "text")
 # A restart or a broken file may leave a command or alarm without its end; one flight has no more events than this.
 MOST_EVENTS: Final = 100_000
 
-Event = dict[str, Any]
+
+@dataclass(slots=True)
+class Event:
+    """What happened, in Unix ns; `data` is as the stream or the note has it. `until_ns` is None for a moment, or while
+    it lasts; `id` is a mark's."""
+
+    t_ns: int
+    kind: EventKind
+    name: str
+    data: dict[str, Any]
+    until_ns: int | None = None
+    id: str | None = None
 
 
 def find_events(flight: FlightData, silences: list[tuple[int, int]], damaged: list[Damage]) -> list[Event]:
     """All events in order of time; `silences`: from and to (Unix ns) of the stretches without a byte of the board.
 
-    An event is {"t_ns", "kind", "name", "id", "data", "until_ns"}. Raises OSError, RecordingError.
+    Raises OSError, RecordingError.
     """
     found = [*_noted(flight.notes()), *_modes(flight), *_waypoints(flight), *_bursts(damaged)]
     for begin, end in silences:
-        found.append(_event(begin, "gap", "silence", {"duration_s": (end - begin) * 1e-9}, until_ns=end))
-    found.sort(key=lambda event: event["t_ns"])
+        found.append(Event(begin, "gap", "silence", {"duration_s": (end - begin) * 1e-9}, until_ns=end))
+    found.sort(key=lambda event: event.t_ns)
     return found[:MOST_EVENTS]
 
 
-def as_answer(events: list[Event], start_ns: int) -> dict[str, Any]:
+def as_answer(events: list[Event], start_ns: int) -> FlightEvents:
     """Events as the interface gives them."""
-    return {
-        "events": [
-            {
-                "t_s": event["t_ns"] * 1e-9,
-                "at_s": (event["t_ns"] - start_ns) * 1e-9,
-                "kind": event["kind"],
-                "name": event["name"],
-                "id": event["id"],
-                "data": event["data"],
-                "until_s": None if event["until_ns"] is None else event["until_ns"] * 1e-9,
-            }
+    return FlightEvents(
+        [
+            FlightEvent(
+                t_s=event.t_ns * 1e-9,
+                at_s=(event.t_ns - start_ns) * 1e-9,
+                kind=event.kind,
+                name=event.name,
+                id=event.id,
+                data=event.data,
+                until_s=None if event.until_ns is None else event.until_ns * 1e-9,
+            )
             for event in events
         ]
-    }
+    )
 
 
 def write_events(path: Path, events: list[Event]) -> None:
     """Write them as a table; `data` is JSON text. Raises OSError."""
     table = pa.table(
         {
-            "t_ns": pa.array([event["t_ns"] for event in events], pa.int64()),
-            "until_ns": pa.array([event["until_ns"] for event in events], pa.int64()),
-            "kind": pa.array([event["kind"] for event in events], pa.string()),
-            "name": pa.array([event["name"] for event in events], pa.string()),
-            "id": pa.array([event["id"] for event in events], pa.string()),
-            "data": pa.array([orjson.dumps(event["data"]).decode() for event in events], pa.string()),
+            "t_ns": pa.array([event.t_ns for event in events], pa.int64()),
+            "until_ns": pa.array([event.until_ns for event in events], pa.int64()),
+            "kind": pa.array([event.kind for event in events], pa.string()),
+            "name": pa.array([event.name for event in events], pa.string()),
+            "id": pa.array([event.id for event in events], pa.string()),
+            "data": pa.array([orjson.dumps(event.data).decode() for event in events], pa.string()),
         }
     )
     pq.write_table(table, path, compression="zstd")
@@ -101,7 +115,7 @@ def read_events(path: Path) -> list[Event]:
         rows = pq.read_table(path).to_pylist()
     except pa.ArrowException as error:
         raise OSError(f"{path.name} cannot be read: {error}") from error
-    return [{**row, "data": orjson.loads(row["data"])} for row in rows]
+    return [Event(**{**row, "data": orjson.loads(row["data"])}) for row in rows]
 
 
 def _noted(found: list[Note]) -> list[Event]:
@@ -113,22 +127,22 @@ def _noted(found: list[Note]) -> list[Event]:
         content = note.content if isinstance(note.content, dict) else {}
         if note.name == notes.MARK:
             mark = {"text": str(content.get("text", "")), "by": content.get("by")}
-            events.append(_event(note.t_ns, "mark", "", mark, id=str(content.get("id", note.t_ns))))
+            events.append(Event(note.t_ns, "mark", "", mark, id=str(content.get("id", note.t_ns))))
         elif note.name == notes.LOST:
-            events.append(_event(note.t_ns, "lost", str(content.get("reason", "")), content))
+            events.append(Event(note.t_ns, "lost", str(content.get("reason", "")), content))
         elif note.name == notes.LINE:
             name = f"{content.get('line')}_{'opened' if content.get('open') else 'closed'}"
-            events.append(_event(note.t_ns, "link", name, content))
+            events.append(Event(note.t_ns, "link", name, content))
         elif note.name == notes.EVENT and content.get("event") in _KINDS:
             event = _from_stream(note.t_ns, content)
-            if event["kind"] == "link" and has_lines and not _is_lost_or_back(event["data"], lost):
+            if event.kind == "link" and has_lines and not _is_lost_or_back(event.data, lost):
                 continue
             if not _ends_another(event, open_events):
                 events.append(event)
     return events
 
 
-def _is_lost_or_back(states: dict[str, Any], lost: set[str]) -> bool:
+def _is_lost_or_back(states: Mapping[str, object], lost: set[str]) -> bool:
     """Whether a line fell silent, or is heard again: that it was opened or closed is noted by itself."""
     silent = {line for line, state in states.items() if state == "lost"}
     back = {line for line in lost if states.get(line) == "open"}
@@ -138,15 +152,15 @@ def _is_lost_or_back(states: dict[str, Any], lost: set[str]) -> bool:
     return is_news
 
 
-def _from_stream(t_ns: int, content: Event) -> Event:
+def _from_stream(t_ns: int, content: dict[str, Any]) -> Event:
     kind = str(content["event"])
     data = content["data"] if isinstance(content.get("data"), dict) else {}
-    return _event(t_ns, _KINDS[kind], str(data.get(_NAMES.get(kind, ""), "") or ""), data)
+    return Event(t_ns, _KINDS[kind], str(data.get(_NAMES.get(kind, ""), "") or ""), data)
 
 
 def _ends_another(event: Event, open_events: dict[tuple[str, Any], Event]) -> bool:
     """Whether this is the outcome of a command that began, or the end or acknowledgement of an alarm."""
-    data, kind = event["data"], event["kind"]
+    data, kind = event.data, event.kind
     if kind not in ("command", "alarm"):
         return False
     key = (kind, data.get("id"))
@@ -158,9 +172,9 @@ def _ends_another(event: Event, open_events: dict[tuple[str, Any], Event]) -> bo
     if before is None:
         # An alarm that is acknowledged after its end was told already.
         return kind == "alarm" and data.get("acknowledged") is True
-    before["data"] = data
+    before.data = data
     if not is_open:
-        before["until_ns"] = event["t_ns"]
+        before.until_ns = event.t_ns
         del open_events[key]
     return True
 
@@ -172,7 +186,7 @@ def _modes(flight: FlightData) -> list[Event]:
     found = []
     for name in _MODES:
         for t_ns, _, value in _changes(flight, "heartbeat", name):
-            found.append(_event(t_ns, "mode", name, {"on": bool(value)}))
+            found.append(Event(t_ns, "mode", name, {"on": bool(value)}))
     return found
 
 
@@ -183,7 +197,7 @@ def _waypoints(flight: FlightData) -> list[Event]:
     for topic, plan in _PLANS.items():
         if topic in there:
             for t_ns, before, after in _changes(flight, topic, "waypoint"):
-                found.append(_event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
+                found.append(Event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
     return found
 
 
@@ -194,12 +208,12 @@ def _bursts(damaged: list[Damage]) -> list[Event]:
         if kind in _NO_FRAMES:
             continue
         last = found[-1] if found else None
-        if last is None or t_ns - last["until_ns"] > _DAMAGE_PAUSE_NS:
-            last = _event(t_ns, "damage", "frames", {"frames": 0, "kinds": {}}, until_ns=t_ns)
+        if last is None or last.until_ns is None or t_ns - last.until_ns > _DAMAGE_PAUSE_NS:
+            last = Event(t_ns, "damage", "frames", {"frames": 0, "kinds": {}}, until_ns=t_ns)
             found.append(last)
-        last["until_ns"] = t_ns
-        last["data"]["frames"] += 1
-        last["data"]["kinds"][kind] = last["data"]["kinds"].get(kind, 0) + 1
+        last.until_ns = t_ns
+        last.data["frames"] += 1
+        last.data["kinds"][kind] = last.data["kinds"].get(kind, 0) + 1
     return found
 
 
@@ -216,15 +230,3 @@ def _changes(flight: FlightData, topic: str, field: str) -> list[tuple[int, floa
         (flight.start_ns + round(float(t_s[place + 1]) * 1e9), float(values[place]), float(values[place + 1]))
         for place in places
     ]
-
-
-def _event(
-    t_ns: int,
-    kind: str,
-    name: str,
-    data: dict[str, Any],
-    *,
-    until_ns: int | None = None,
-    id: str | None = None,  # noqa: A002
-) -> Event:
-    return {"t_ns": t_ns, "kind": kind, "name": name, "id": id, "data": data, "until_ns": until_ns}

@@ -11,7 +11,7 @@ import time
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, BinaryIO, Final
+from typing import BinaryIO, Final
 
 import numpy as np
 
@@ -32,7 +32,7 @@ _LONGEST_NS: Final = 7 * _DAY_NS
 _SET_BACK_NS: Final = 1_000_000_000
 
 
-def run(arguments: list[str], say: Say) -> dict[str, Any]:
+def run(arguments: list[str], say: Say) -> dict[str, int | str | None]:
     """Raises RecordingError, InvalidInputError, OSError; `OUT` is whole or not there."""
     source, target = (Path(argument) for argument in arguments)
     size = max(1, source.stat().st_size)

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.flights.columns import DAMAGE, TableFolder, write_columns
+from epf_gcs.flights.columns import DAMAGE, write_columns
 from epf_gcs.flights.events import FILE, find_events, write_events
 from epf_gcs.flights.fingerprint import Fingerprint
 from epf_gcs.flights.indexed import Columns, IndexedFlight
 from epf_gcs.flights.room import minding_room
-from epf_gcs.flights.summary import summarise, write_summary
+from epf_gcs.flights.summary import summarise
 from epf_gcs.flights.worker import Say
+from epf_gcs.recordings.flight_summary import write_summary
 from epf_gcs.recordings.places import stamp_of
 
 _COLUMNS: Final = "columns"
@@ -22,7 +24,7 @@ _SHARE: Final = 0.9
 _RESERVE_BYTES: Final = 1_200_000_000
 
 
-def run(arguments: list[str], say: Say) -> dict[str, Any]:
+def run(arguments: list[str], say: Say) -> dict[str, str | int]:
     """The columns go beside the folder that holds the recording. Raises GatewayError and OSError."""
     (path,) = (Path(argument).resolve() for argument in arguments)
     say = minding_room(say, path, _RESERVE_BYTES)
@@ -43,12 +45,15 @@ def run(arguments: list[str], say: Say) -> dict[str, Any]:
     events = find_events(flight, counts.gaps, flight.damage(DAMAGE))
     write_events(written.folder / FILE, events)
     say(0.97, "figures")
-    write_summary(
-        written.folder, stamp, {**summarise(flight, events), **_counted(written), "fingerprint": fingerprint.text()}
+    summary = replace(
+        summarise(flight, events),
+        stamp=stamp,
+        frames=counts.frames_heard,
+        frames_damaged=counts.frames_damaged,
+        gaps=counts.gaps,
+        is_whole=counts.is_whole,
+        damage=counts.damage,
+        fingerprint=fingerprint.text(),
     )
-    return {"folder": str(written.folder), **counts.as_dict()}
-
-
-def _counted(written: TableFolder) -> dict[str, Any]:
-    found = written.counts.as_dict()
-    return {name: found[name] for name in ("frames", "frames_damaged", "gaps", "is_whole", "damage")}
+    write_summary(written.folder, summary)
+    return {"folder": str(written.folder), "frames": counts.frames_heard}

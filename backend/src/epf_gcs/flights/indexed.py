@@ -9,11 +9,11 @@ from typing import Any, Final
 
 import duckdb
 import numpy as np
-import orjson
 
 from epf_gcs.errors import ConflictError
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
+from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.places import SUMMARY
 from epf_gcs.recordings.reading import notes_of
@@ -134,12 +134,11 @@ class IndexedFlight:
 def open_indexed(folder: Path, recording: Path, columns: Columns) -> IndexedFlight:
     """A flight whose columns were made. Raises ConflictError where they are not whole yet."""
     try:
-        summary = orjson.loads((folder / SUMMARY).read_bytes())
+        summary = FlightSummary.from_json((folder / SUMMARY).read_bytes())
         stamp = str((folder / SUMMARY).stat().st_mtime_ns)
-        start_ns, end_ns = int(summary["started_ns"]), int(summary["ended_ns"])
-    except (OSError, ValueError, LookupError, TypeError) as error:
+    except (OSError, ValueError) as error:
         raise not_indexed(recording.stem) from error
-    return IndexedFlight(folder, lambda: notes_of(recording), start_ns, end_ns, columns, stamp)
+    return IndexedFlight(folder, lambda: notes_of(recording), summary.started_ns, summary.ended_ns, columns, stamp)
 
 
 def not_indexed(flight: str) -> ConflictError:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs.flights.room import minding_room
 from epf_gcs.flights.worker import Say
@@ -15,7 +15,7 @@ _RESERVE_BYTES: Final = 300_000_000
 _LEFT: Final = ("recording_changed", "recording_not_whole")
 
 
-def run(arguments: list[str], say: Say) -> dict[str, Any]:
+def run(arguments: list[str], say: Say) -> dict[str, int]:
     """Raises RecordingError, ConflictError and OSError; the recording is then as it was."""
     (path,) = (Path(argument).resolve() for argument in arguments)
     say = minding_room(say, path, _RESERVE_BYTES)

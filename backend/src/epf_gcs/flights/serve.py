@@ -1,8 +1,8 @@
 """Answers questions about flights, one after the other: `python -m epf_gcs.flights serve DATA_FOLDER`.
 
-Requests come on standard input, answers go to standard output, each a JSON head and bytes (`worker_pipe`). A request
-is {"do": a key of _ANSWERS, "flight": id, "growing": bool, and what the question needs}. The answer's bytes are what
-the interface sends on; its head is empty, or the fault.
+Requests come on standard input, answers go to standard output, each a JSON head and bytes (`workers/pipe.py`). A
+request is one of `contract/flight_questions.py`. The answer's bytes are what the interface sends on; its head is empty,
+or has the fault.
 """
 
 from __future__ import annotations
@@ -10,23 +10,35 @@ from __future__ import annotations
 import signal
 import sys
 from collections import OrderedDict
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, Final, cast
+from typing import BinaryIO, Final, cast
 
+import msgspec
 import orjson
 
+from epf_gcs.contract.flight_questions import (
+    AnyFlightQuestion,
+    EventsQuestion,
+    KnownQuestion,
+    OverviewQuestion,
+    SignalsQuestion,
+    SpanQuestion,
+    TopicsQuestion,
+    TrackQuestion,
+)
+from epf_gcs.contract.flights import FlightTimes
 from epf_gcs.errors import GatewayError
 from epf_gcs.flights import answers
 from epf_gcs.flights.derived import split_names
-from epf_gcs.flights.events import FILE, as_answer, find_events, read_events
+from epf_gcs.flights.events import FILE, Event, as_answer, find_events, read_events
 from epf_gcs.flights.flight_data import PeriodCache
 from epf_gcs.flights.growing import GrowingFlight
 from epf_gcs.flights.indexed import Columns, IndexedFlight, not_indexed, open_indexed
 from epf_gcs.flights.worker import be_modest
 from epf_gcs.recordings.places import Places, is_id
-from epf_gcs.workers.pipe import receive, send
+from epf_gcs.workers.lines import ToldFault
+from epf_gcs.workers.pipe import ReplyHead, receive, send
 
 _MOST_OPEN: Final = 8
 
@@ -49,16 +61,16 @@ class Flights:
         self._columns = Columns()
         self._open: OrderedDict[str, _Open] = OrderedDict()
 
-    def answer(self, asked: dict[str, Any]) -> bytes:
+    def answer(self, question: AnyFlightQuestion) -> bytes:
         """The answer's bytes. Raises GatewayError, OSError."""
-        flight = asked["flight"]
+        flight = question.flight
         if not is_id(flight):
             raise not_indexed(flight)
-        opened = self._growing(flight) if asked["growing"] else self._indexed(flight)
+        opened = self._growing(flight) if question.growing else self._indexed(flight)
         self._open.move_to_end(flight)
         while len(self._open) > _MOST_OPEN:
             self._open.popitem(last=False)
-        return _ANSWERS[asked["do"]](opened, asked)
+        return _answer(opened, question)
 
     def _indexed(self, flight: str) -> _Open:
         folder = self._places.made_of(flight)
@@ -85,7 +97,7 @@ def main(arguments: list[str]) -> int:
     # Ctrl-C in a terminal reaches all its processes: the web process ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     be_modest(most_cpu_s=None, is_waited_for=True)
-    send(sys.stdout.buffer, {})
+    send(sys.stdout.buffer, ReplyHead())
     serve(Flights(Places(Path(arguments[0]))), sys.stdin.buffer, sys.stdout.buffer)
     return 0
 
@@ -93,68 +105,41 @@ def main(arguments: list[str]) -> int:
 def serve(flights: Flights, requests: BinaryIO, replies: BinaryIO) -> None:
     """Answer one request after the other."""
     while (message := receive(requests)) is not None:
-        head: dict[str, Any] = {}
+        head = ReplyHead()
         body = b""
         try:
-            body = flights.answer(message[0])
+            body = flights.answer(msgspec.json.decode(message[0], type=AnyFlightQuestion))
         except GatewayError as error:
-            head = error.as_dict()
+            head = ReplyHead(ToldFault.of(error))
         except (OSError, ValueError, ArithmeticError, LookupError, TypeError, AttributeError) as error:
             # A stranger's recording may hold notes of any shape: none may end this program.
             why = getattr(error, "strerror", None) or str(error) or type(error).__name__
-            head = {
-                "code": "recording_unreadable",
-                "detail": f"The flight cannot be read: {why}.",
-                "params": {"reason": why},
-            }
+            head = ReplyHead(ToldFault("recording_unreadable", f"The flight cannot be read: {why}.", {"reason": why}))
         send(replies, head, body)
 
 
-def _signals(opened: _Open, asked: dict[str, Any]) -> bytes:
-    names = split_names(asked["names"])
-    found = answers.signals(opened.data, opened.periods, names, asked["from_s"], asked["to_s"], asked["points"])
-    return answers.as_arrow(found) if asked["arrow"] else _json(found)
+def _answer(opened: _Open, question: AnyFlightQuestion) -> bytes:
+    data = opened.data
+    match question:
+        case SignalsQuestion(names=names, from_s=from_s, to_s=to_s, points=points):
+            found = answers.signals(data, opened.periods, split_names(names), from_s, to_s, points)
+            return answers.as_arrow(found) if question.arrow else orjson.dumps(found)
+        case TopicsQuestion():
+            return orjson.dumps(answers.topics(data))
+        case EventsQuestion():
+            return orjson.dumps(as_answer(_events(opened), data.start_ns))
+        case OverviewQuestion(points=points):
+            return orjson.dumps(answers.overview(data, opened.periods, points))
+        case TrackQuestion(source=source):
+            return answers.track(data, source, question.points)
+        case KnownQuestion(at_s=at_s):
+            return orjson.dumps(answers.known(data, at_s))
+        case SpanQuestion():
+            return orjson.dumps(FlightTimes(data.start_ns * 1e-9, data.end_ns * 1e-9))
 
 
-def _topics(opened: _Open, _asked: dict[str, Any]) -> bytes:
-    return _json(answers.topics(opened.data))
-
-
-def _events(opened: _Open, _asked: dict[str, Any]) -> bytes:
+def _events(opened: _Open) -> list[Event]:
     data = opened.data
     if isinstance(data, GrowingFlight):
-        events = find_events(data, data.silences, data.damage())
-    else:
-        events = read_events(cast(Path, opened.folder) / FILE)
-    return _json(as_answer(events, data.start_ns))
-
-
-def _overview(opened: _Open, asked: dict[str, Any]) -> bytes:
-    return _json(answers.overview(opened.data, opened.periods, asked["points"]))
-
-
-def _track(opened: _Open, asked: dict[str, Any]) -> bytes:
-    return answers.track(opened.data, asked["source"], asked["points"])
-
-
-def _known(opened: _Open, asked: dict[str, Any]) -> bytes:
-    return _json(answers.known(opened.data, asked["at_s"]))
-
-
-def _span(opened: _Open, _asked: dict[str, Any]) -> bytes:
-    return _json({"start_s": opened.data.start_ns * 1e-9, "end_s": opened.data.end_ns * 1e-9})
-
-
-def _json(found: Any) -> bytes:
-    return orjson.dumps(found, option=orjson.OPT_SERIALIZE_NUMPY)
-
-
-_ANSWERS: Final[dict[str, Callable[[_Open, dict[str, Any]], bytes]]] = {
-    "events": _events,
-    "known": _known,
-    "overview": _overview,
-    "signals": _signals,
-    "span": _span,
-    "topics": _topics,
-    "track": _track,
-}
+        return find_events(data, data.silences, data.damage())
+    return read_events(cast(Path, opened.folder) / FILE)

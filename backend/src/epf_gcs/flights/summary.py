@@ -4,24 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict
-from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-import orjson
 
+from epf_gcs.contract.flights import Thumbnail
 from epf_gcs.earth import M_PER_DEG
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
-from epf_gcs.recordings.places import SUMMARY, Stamp
+from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.units import M_PER_FT, M_PER_NM
 from epf_gcs.vehicle.noted import newest_identity
-
-VERSION: Final = 1
-"""Said again in `library/library.py`: summaries of another version are made anew."""
 
 # Less is not worth another time in the list.
 _CLOCK_OFF_S: Final = 2.0
@@ -35,43 +31,35 @@ _PLACES: Final = (("simulator", "altitude_msl_ft", 1.0), ("gps", "altitude_m", 1
 _SPEEDS: Final = (("simulator", "indicated_airspeed_kt"), ("analog", "calibrated_airspeed_kt"), ("gps", "speed_kt"))
 
 
-def summarise(flight: FlightData, events: list[Event]) -> dict[str, Any]:
+def summarise(flight: FlightData, events: list[Event]) -> FlightSummary:
     """Everything of the row that is made from samples, events and notes. Raises OSError, RecordingError."""
     place = _places(flight)
-    kinds = [event["kind"] for event in events]
+    kinds = [event.kind for event in events]
     identity = newest_identity(note.content for note in flight.notes() if note.name == notes.IDENTITY)
-    clock = _clock(flight)
-    return {
-        **clock,
-        "started_ns": flight.start_ns,
-        "ended_ns": flight.end_ns,
+    clock_ahead_s, clock_unsure = _clock(flight)
+    return FlightSummary(
+        started_ns=flight.start_ns,
+        ended_ns=flight.end_ns,
+        clock_ahead_s=clock_ahead_s,
+        clock_unsure=clock_unsure,
         **asdict(identity),
-        "highest_ft": None if place is None else _extreme(place[3]),
-        "fastest_kt": _fastest_kt(flight),
-        "distance_nm": None if place is None else _distance_nm(*place[:3]),
-        "waypoints": kinds.count("waypoint"),
-        "alarms": kinds.count("alarm"),
-        "marks": kinds.count("mark"),
-        "thumbnail": None if place is None else _thumbnail(*place, flight.end_ns - flight.start_ns),
-    }
+        highest_ft=None if place is None else _extreme(place[3]),
+        fastest_kt=_fastest_kt(flight),
+        distance_nm=None if place is None else _distance_nm(*place[:3]),
+        waypoints=kinds.count("waypoint"),
+        alarms=kinds.count("alarm"),
+        marks=kinds.count("mark"),
+        thumbnail=None if place is None else _thumbnail(*place, flight.end_ns - flight.start_ns),
+    )
 
 
-def _clock(flight: FlightData) -> dict[str, Any]:
-    """How far the times of the recording turned out to be off, and whether anybody ever vouched for them."""
+def _clock(flight: FlightData) -> tuple[float, bool]:
+    """How far the times of the recording turned out to be off (s), and whether nobody ever vouched for them."""
     found = [note.content for note in flight.notes() if note.name == notes.CLOCK and isinstance(note.content, dict)]
     ahead = found[-1].get("ahead_s") if found else 0.0
     is_far = isinstance(ahead, int | float) and math.isfinite(ahead) and abs(ahead) > _CLOCK_OFF_S
-    return {
-        "clock_ahead_s": float(ahead) if is_far and isinstance(ahead, int | float) else 0.0,
-        "clock_unsure": bool(found) and all(one.get("synchronised") is False for one in found),
-    }
-
-
-def write_summary(folder: Path, stamp: Stamp, found: dict[str, Any]) -> None:
-    """Write it beside the columns: last, for it says that they are whole. Raises OSError."""
-    part = folder / f".{SUMMARY}.part"
-    part.write_bytes(orjson.dumps({"version": VERSION, "stamp": stamp, **found}))
-    part.replace(folder / SUMMARY)
+    ahead_s = float(ahead) if is_far and isinstance(ahead, int | float) else 0.0
+    return ahead_s, bool(found) and all(one.get("synchronised") is False for one in found)
 
 
 def _places(flight: FlightData) -> tuple[Array, Array, Array, Array] | None:
@@ -120,7 +108,7 @@ def _distance_nm(t_s: Array, latitude_deg: Array, longitude_deg: Array) -> float
 
 def _thumbnail(
     t_s: Array, latitude_deg: Array, longitude_deg: Array, altitude_ft: Array, duration_ns: int
-) -> dict[str, Any]:
+) -> Thumbnail:
     chosen = np.linspace(0, len(t_s) - 1, min(_TRACK_POINTS, len(t_s))).astype(np.int64)
     north = latitude_deg[chosen]
     east = np.unwrap(longitude_deg[chosen], period=360.0) * np.cos(np.radians(float(np.mean(north))))
@@ -132,10 +120,10 @@ def _thumbnail(
     counts = np.bincount(steps, minlength=_ALTITUDES)
     sums = np.bincount(steps, weights=altitude_ft, minlength=_ALTITUDES)
     low_ft, range_ft = float(altitude_ft.min()), max(float(np.ptp(altitude_ft)), 1e-9)
-    return {
-        "track": [[round(float(a), 3), round(float(b), 3)] for a, b in zip(x, y, strict=True)],
-        "altitude": [
+    return Thumbnail(
+        track=[[round(float(a), 3), round(float(b), 3)] for a, b in zip(x, y, strict=True)],
+        altitude=[
             round((total / count - low_ft) / range_ft, 3) if count else None
             for total, count in zip(sums.tolist(), counts.tolist(), strict=True)
         ],
-    }
+    )

@@ -10,8 +10,8 @@ import contextlib
 import os
 import signal
 import threading
-from collections.abc import Callable
-from typing import Any, Final
+from collections.abc import Callable, Mapping
+from typing import Final
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.system.limits import limit_memory, limit_time
@@ -24,7 +24,8 @@ _MOST_CPU_S: Final = 3600
 _GRACE_S: Final = 2.0
 
 Say = Callable[[float, str], None]
-Run = Callable[[list[str], Say], dict[str, Any]]
+Run = Callable[[list[str], Say], Mapping[str, object]]
+"""A verb's work; what it answers is a `JobAnswer` of the library."""
 
 
 class Cancellation(BaseException):

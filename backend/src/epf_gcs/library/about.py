@@ -2,27 +2,41 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Self
 
-import orjson
+import msgspec
 
 from epf_gcs.disk import KeptFile
 
 
+class KeptMark(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A mark that was set after the flight, at Unix time `t_s` and `at_s` seconds after the flight's start.
+
+    `recorded`: it stands in the recording, which stays as it is; these are the words it was given later, or it is
+    `hidden`.
+    """
+
+    id: str
+    text: str = ""
+    t_s: float | None = None
+    at_s: float | None = None
+    by: str | None = None
+    recorded: bool = False
+    hidden: bool = False
+
+
 @dataclass(slots=True)
 class About:
-    """`marks` were set after the flight: {"id", "t_ns", "text", "by"}, those of the recording itself with the words
-    they were given later, or {"id", "hidden": true} where they were removed. `deleted_s`: when it went to the bin.
-    `came_damaged`: what was wrong with the file that was imported, a sentence; empty if nothing was."""
+    """`deleted_s`: when it went to the bin. `came_damaged`: what was wrong with the file that was imported, a
+    sentence; empty if nothing was."""
 
     title: str = ""
     tags: list[str] = field(default_factory=list)
     notes: str = ""
     pinned: bool = False
     imported: bool = False
-    marks: list[dict[str, Any]] = field(default_factory=list)
+    marks: list[KeptMark] = field(default_factory=list)
     deleted_s: float | None = None
     came_damaged: str = ""
 
@@ -33,27 +47,12 @@ class About:
 
     def as_json(self) -> bytes:
         """The content of the file."""
-        return orjson.dumps(asdict(self), option=orjson.OPT_INDENT_2)
+        return msgspec.json.format(msgspec.json.encode(self))
 
-    @classmethod
-    def from_json(cls, text: bytes) -> Self:
+    @staticmethod
+    def from_json(text: bytes | str) -> About:
         """Read it. Raises ValueError where it is no such file; fields of a newer version are left out."""
-        found = orjson.loads(text)
-        if not isinstance(found, dict):
-            raise ValueError("it is no JSON object")
-        about = cls()
-        for one in fields(cls):
-            value = found.get(one.name, getattr(about, one.name))
-            if one.name != "deleted_s" and type(value) is not type(getattr(about, one.name)):
-                raise ValueError(f"{one.name} is of another kind")
-            setattr(about, one.name, value)
-        if not all(isinstance(tag, str) for tag in about.tags) or not all(_is_mark(mark) for mark in about.marks):
-            raise ValueError("a tag or mark is of another kind")
-        return about
-
-
-def _is_mark(mark: Any) -> bool:
-    return isinstance(mark, dict) and isinstance(mark.get("id"), str)
+        return msgspec.json.decode(text, type=About)
 
 
 def read_about(path: Path) -> About:

@@ -209,7 +209,7 @@ class Flights:
         rows = await self.in_thread(self._library.newest, _JUDGED_BY)
         made = await self.in_thread(lambda: sum(self._folder.made_bytes(row.id) for row in rows))
         recorded = made + sum(row.bytes for row in rows)
-        duration_ns = sum(row.summary["ended_ns"] - row.summary["started_ns"] for row in rows if row.summary)
+        duration_ns = sum(row.summary.duration_ns for row in rows if row.summary)
         if free_bytes is None or not recorded:
             return free_bytes, None
         return free_bytes, free_bytes / recorded * duration_ns / 3.6e12
@@ -264,7 +264,7 @@ class Flights:
             await self._prepare_one(waiting[0].id)
 
     def _must_prepare(self, row: Row) -> bool:
-        is_wrong = row.fault is not None and not (row.fault["code"] == "extra_missing" and FLIGHTS.is_here)
+        is_wrong = row.fault is not None and not (row.fault.code == "extra_missing" and FLIGHTS.is_here)
         is_due = self._loop.time() >= self._again_at_s.get(row.id, 0.0)
         return not is_wrong and row.id != self.growing and row.id not in self._left_alone and is_due
 
@@ -293,7 +293,7 @@ class Flights:
         free_bytes = await self.free_bytes()
         if row is None or row.summary is None or free_bytes is None or free_bytes < _KEYS_RESERVE_BYTES:
             return
-        if row.summary["ended_ns"] - row.summary["started_ns"] >= _WORTH_KEYS_NS:
+        if row.summary.duration_ns >= _WORTH_KEYS_NS:
             files = ["--recording", str(self.places.recording(flight)), "--keys", str(self.places.keyframes(flight))]
             with contextlib.suppress(ConflictError):
                 self.jobs.start("keys", files, flight=flight)

@@ -15,7 +15,7 @@ from typing import IO, Final
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
 from epf_gcs.library.about import About, write_about
 from epf_gcs.library.flights import Flights
-from epf_gcs.library.jobs import Job
+from epf_gcs.library.jobs import Job, JobAnswer
 from epf_gcs.recordings.places import free_id
 
 MOST_BYTES: Final = 8_000_000_000
@@ -107,11 +107,12 @@ class FlightImports:
 
     async def _take_in(self, job: Job, checked: Path, name: str) -> None:
         """Give the checked recording an id and a place. Raises GatewayError, OSError."""
-        known = await self._flights.with_fingerprint(job.answer["fingerprint"])
+        answer = job.answer or JobAnswer()
+        known = await self._flights.with_fingerprint(answer.fingerprint)
         if known is not None:
             raise ConflictError("flight_known", f"'{name}' is the flight '{known}' of the library.", flight=known)
-        damage = str(job.answer["damage"] or "")[:_LONGEST_DAMAGE]
-        job.flight = await self._flights.in_thread(self._place, int(job.answer["started_ns"]), checked, name, damage)
+        damage = (answer.damage or "")[:_LONGEST_DAMAGE]
+        job.flight = await self._flights.in_thread(self._place, answer.started_ns, checked, name, damage)
         self._flights.wake()
 
     def _place(self, started_ns: int, checked: Path, name: str, damage: str) -> str:

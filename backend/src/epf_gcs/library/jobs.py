@@ -13,19 +13,19 @@ from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import Final
 
+import msgspec
 import structlog
 
 from epf_gcs.contract.events import Say
+from epf_gcs.contract.flights import Fault, JobKind, JobResult, JobState
+from epf_gcs.contract.flights import Job as JobReport
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.extras import FLIGHTS
 from epf_gcs.workers.child import child
-from epf_gcs.workers.lines import hear_lines
+from epf_gcs.workers.lines import WorkerLine, hear_lines
 from epf_gcs.workers.missing import require
-
-JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
-JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 
 _PROGRAM: Final = "epf_gcs.flights"
 _NEED_TABLES: Final = frozenset({"index", "export", "report"})
@@ -44,6 +44,25 @@ _OVER: Final = ("done", "failed", "cancelled")
 log = structlog.get_logger("web")
 
 
+class JobAnswer(msgspec.Struct):
+    """What a job's program says at its end. An import: where the recording begins (Unix ns), its fingerprint, and what
+    is wrong with the file; a report, as JSON or as a page."""
+
+    started_ns: int = 0
+    fingerprint: str = ""
+    damage: str | None = None
+    report: msgspec.Raw = msgspec.Raw()
+    page: str = ""
+
+
+class JobLine(WorkerLine):
+    """A line of a job's program."""
+
+    progress: float = 0.0
+    doing: str = ""
+    done: JobAnswer | None = None
+
+
 @dataclass(slots=True)
 class Job:
     """One piece of work. `answer` is what the program said at its end; `result` is the file that it made."""
@@ -55,7 +74,7 @@ class Job:
     progress: float = 0.0
     doing: str = "waiting"
     fault: GatewayError | None = None
-    answer: dict[str, Any] = field(default_factory=dict)
+    answer: JobAnswer | None = None
     then: Callable[[Job], Awaitable[None]] | None = None
     result: Path | None = None
     result_name: str = ""
@@ -68,22 +87,23 @@ class Job:
         """Whether it has ended, one way or the other."""
         return self.state in _OVER
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values, as the interface gives them."""
-        fault, is_there = self.fault, self.state == "done" and self.result is not None and self.result.exists()
-        return {
-            "id": self.id,
-            "kind": self.kind,
-            "flight": self.flight,
-            "state": self.state,
-            "progress": self.progress,
-            "doing": self.doing,
-            "file": self.result_name or None,
-            "fault": None if fault is None else fault.as_dict(),
-            "result": {"name": self.result_name, "bytes": self.result.stat().st_size}
-            if is_there and self.result is not None
-            else None,
-        }
+    @property
+    def told(self) -> JobReport:
+        """As the interface gives it."""
+        result = None
+        if self.state == "done" and self.result is not None and self.result.exists():
+            result = JobResult(self.result_name, self.result.stat().st_size)
+        return JobReport(
+            id=self.id,
+            kind=self.kind,
+            flight=self.flight,
+            state=self.state,
+            progress=self.progress,
+            doing=self.doing,
+            file=self.result_name or None,
+            fault=None if self.fault is None else Fault.of(self.fault),
+            result=result,
+        )
 
 
 class Jobs:
@@ -204,17 +224,17 @@ class Jobs:
             stdout=asyncio.subprocess.PIPE,
             limit=_LONGEST_LINE,
         ) as process:
-            job.fault = await hear_lines(process, partial(self._heard, job))
+            job.fault = await hear_lines(process, JobLine, partial(self._heard, job))
             code = await process.wait()
-            if job.fault is None and (code != 0 or not job.answer):
+            if job.fault is None and (code != 0 or job.answer is None):
                 log.error("a job failed", kind=job.kind, flight=job.flight, code=code)
                 job.fault = _failed(f"its program ended with {code}")
 
-    def _heard(self, job: Job, message: dict[str, Any]) -> None:
-        if "done" in message:
-            job.answer = {"is_done": True, **message["done"]}
+    def _heard(self, job: Job, line: JobLine) -> None:
+        if line.done is not None:
+            job.answer = line.done
         else:
-            job.progress, job.doing = float(message["progress"]), str(message["doing"])
+            job.progress, job.doing = line.progress, line.doing
             if self._loop.time() - self._told_s.get(job.id, 0.0) >= _TELL_EVERY_S:
                 self._tell(job)
 
@@ -239,7 +259,7 @@ class Jobs:
 
     def _tell(self, job: Job) -> None:
         self._told_s[job.id] = self._loop.time()
-        self._say("job", job.as_dict())
+        self._say("job", job.told)
 
 
 def _drop(job: Job) -> None:

@@ -10,22 +10,22 @@ from __future__ import annotations
 import contextlib
 import sqlite3
 import unicodedata
-from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, Literal
 
-import orjson
+import msgspec
 import structlog
 
+from epf_gcs.contract.flights import Fault
 from epf_gcs.disk import regular_files
 from epf_gcs.errors import GatewayError
 from epf_gcs.library.about import About, read_about, write_about
-from epf_gcs.recordings.places import SUMMARY, Places, Stamp, is_id, stamp_of, started_s
+from epf_gcs.recordings.flight_summary import FlightSummary, read_summary
+from epf_gcs.recordings.places import Places, Stamp, is_id, stamp_of, started_s
 
 VERSION: Final = 1
-SUMMARY_VERSION: Final = 1
-"""Summaries of another version are made again."""
 
 _SCHEMA: Final = """
 CREATE TABLE flight (
@@ -65,6 +65,13 @@ class FlightQuery:
     most: int = 50
 
 
+class KeptFault(msgspec.Struct):
+    """Why a recording of this stamp could not be indexed, as the row has it."""
+
+    stamp: Stamp
+    fault: Fault
+
+
 @dataclass(frozen=True, slots=True)
 class Row:
     """One flight. `summary` is what the index worker found, None until then; `fault` why it found nothing."""
@@ -73,8 +80,8 @@ class Row:
     bytes: int
     stamp: Stamp
     started_s: float
-    summary: dict[str, Any] | None
-    fault: dict[str, Any] | None
+    summary: FlightSummary | None
+    fault: Fault | None
     about: About
 
 
@@ -190,16 +197,16 @@ class Library:
         if row is not None:
             self._change(lambda: self._tell(flight, about, row.summary))
 
-    def failed(self, flight: str, stamp: Stamp, fault: dict[str, Any]) -> None:
+    def failed(self, flight: str, stamp: Stamp, fault: Fault) -> None:
         """Remember why a recording with this content could not be indexed; it is not tried again until it changes."""
-        kept = orjson.dumps({"stamp": stamp, "fault": fault}).decode()
+        kept = msgspec.json.encode(KeptFault(stamp, fault)).decode()
         self._change(lambda: self._execute("UPDATE flight SET fault = ? WHERE id = ?", kept, flight))
 
     def refused(self, flight: str, why: GatewayError) -> None:
         """The same for a flight's content as it is now."""
         row = self.get(flight)
         if row is not None:
-            self.failed(flight, row.stamp, why.as_dict())
+            self.failed(flight, row.stamp, Fault.of(why))
 
     def forget(self, flight: str) -> None:
         """Forget what is known of a flight, so that it is looked at anew."""
@@ -220,20 +227,19 @@ class Library:
             self._execute("UPDATE flight SET fault = NULL WHERE id = ?", flight)
         self._tell(flight, read_about(self._places.about(flight)), summary)
 
-    def _tell(self, flight: str, about: About, summary: dict[str, Any] | None) -> None:
-        known = summary or {}
+    def _tell(self, flight: str, about: About, summary: FlightSummary | None) -> None:
         values = {
-            "started_s": known["started_ns"] * 1e-9 + known.get("clock_ahead_s", 0.0) if summary else started_s(flight),
-            "duration_s": (known["ended_ns"] - known["started_ns"]) * 1e-9 if summary else None,
-            **{name: known.get(name) for name in ("highest_ft", "fastest_kt", "board", "fingerprint")},
-            "summary": orjson.dumps(summary).decode() if summary else None,
-            "words": _words(flight, about, known),
+            "started_s": summary.started_ns * 1e-9 + summary.clock_ahead_s if summary else started_s(flight),
+            "duration_s": summary.duration_ns * 1e-9 if summary else None,
+            **{name: getattr(summary, name, None) for name in ("highest_ft", "fastest_kt", "board", "fingerprint")},
+            "summary": summary.as_json().decode() if summary else None,
+            "words": _words(flight, about, summary),
         }
         setters = ", ".join(f"{name} = ?" for name in _LEARNT)
         self._execute(
             f"UPDATE flight SET {setters}, about = ?, about_stamp = ? WHERE id = ?",  # noqa: S608 - our own columns
             *(values[name] for name in _LEARNT),
-            orjson.dumps(asdict(about)).decode(),
+            about.as_json().decode(),
             _stamp_text(self._places.about(flight)),
             flight,
         )
@@ -277,16 +283,6 @@ class Library:
         self._refresh(self._growing)
 
 
-def read_summary(folder: Path, stamp: Stamp) -> dict[str, Any] | None:
-    """What the index worker found in a recording of this stamp; None if it has not looked at this content yet."""
-    try:
-        found = orjson.loads((folder / SUMMARY).read_bytes())
-        is_right = found["version"] == SUMMARY_VERSION and tuple(found["stamp"]) == stamp
-        return dict(found) if is_right and found["ended_ns"] >= found["started_ns"] else None
-    except (OSError, ValueError, LookupError, TypeError):
-        return None
-
-
 def _opened(path: Path) -> sqlite3.Connection:
     database = sqlite3.connect(path)
     try:
@@ -315,9 +311,9 @@ def _put_aside(path: Path) -> None:
 
 def _row(row: sqlite3.Row) -> Row:
     stamp = (int(row["bytes"]), int(row["mtime_ns"]))
-    kept = orjson.loads(row["fault"]) if row["fault"] else None
-    fault = kept["fault"] if kept is not None and tuple(kept["stamp"]) == stamp else None
-    summary = orjson.loads(row["summary"]) if row["summary"] else None
+    kept = msgspec.json.decode(row["fault"], type=KeptFault) if row["fault"] else None
+    fault = kept.fault if kept is not None and kept.stamp == stamp else None
+    summary = FlightSummary.from_json(row["summary"]) if row["summary"] else None
     return Row(row["id"], stamp[0], stamp, row["started_s"], summary, fault, About.from_json(row["about"]))
 
 
@@ -328,10 +324,10 @@ def _stamp_text(path: Path) -> str:
         return ""
 
 
-def _words(flight: str, about: About, known: dict[str, Any]) -> str:
-    names = ("board", "firmware", "aircraft", "operator")
-    said: Iterable[Any] = (flight, about.title, *about.tags, about.notes, *(known.get(name) for name in names))
-    return _plain(" ".join(str(word) for word in said if word))
+def _words(flight: str, about: About, known: FlightSummary | None) -> str:
+    names = () if known is None else (known.board, known.firmware, known.aircraft, known.operator)
+    said = (flight, about.title, *about.tags, about.notes, *names)
+    return _plain(" ".join(word for word in said if word))
 
 
 def _plain(text: str) -> str:

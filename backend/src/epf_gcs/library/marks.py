@@ -3,59 +3,53 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
+import msgspec
+
+from epf_gcs.contract.flights import FlightEvent, FlightEvents
 from epf_gcs.errors import NotFoundError
-from epf_gcs.library.about import About
+from epf_gcs.library.about import About, KeptMark
 
 
-def with_marks(found: dict[str, Any], about: About) -> dict[str, Any]:
-    """The events of a flight with the marks as people left them."""
-    said = {mark["id"]: mark for mark in about.marks}
+def with_marks(found: bytes, about: About) -> FlightEvents:
+    """The events of a flight (their JSON) with the marks as people left them."""
+    said = {mark.id: mark for mark in about.marks}
     events = []
-    for event in found["events"]:
-        change = said.get(event["id"]) if event["kind"] == "mark" else None
+    for event in msgspec.json.decode(found, type=FlightEvents).events:
+        change = said.get(event.id) if event.kind == "mark" and event.id is not None else None
         if change is None:
             events.append(event)
-        elif not change.get("hidden", False):
-            events.append({**event, "data": {**event["data"], "text": change["text"]}})
-    added = [_as_event(mark) for mark in about.marks if not mark.get("recorded", False)]
-    return {"events": sorted([*events, *added], key=lambda event: event["t_s"])}
+        elif not change.hidden:
+            events.append(replace(event, data={**event.data, "text": change.text}))
+    added = [_as_event(mark) for mark in about.marks if not mark.recorded]
+    return FlightEvents(sorted([*events, *added], key=lambda event: event.t_s))
 
 
-def add(about: About, mark_id: str, at_s: float, t_s: float, text: str, by: str | None) -> About:
+def add(about: About, mark: KeptMark) -> About:
     """With one mark more."""
-    mark = {"id": mark_id, "t_s": t_s, "at_s": at_s, "text": text, "by": by}
     return replace(about, marks=[*about.marks, mark])
 
 
-def change(about: About, mark: dict[str, Any], text: str | None) -> About:
-    """With a mark's words changed, or without it where `text` is None. `mark` is its event."""
-    others = [one for one in about.marks if one["id"] != mark["id"]]
-    mine = next((one for one in about.marks if one["id"] == mark["id"]), None)
-    if mine is not None and not mine.get("recorded", False):
-        kept = [] if text is None else [{**mine, "text": text}]
+def change(about: About, mark_id: str, text: str | None) -> About:
+    """With a mark's words changed, or without it where `text` is None."""
+    others = [one for one in about.marks if one.id != mark_id]
+    mine = next((one for one in about.marks if one.id == mark_id), None)
+    if mine is not None and not mine.recorded:
+        kept = [] if text is None else [msgspec.structs.replace(mine, text=text)]
     else:
         # It stands in the recording: what is said here takes its place, or hides it.
-        kept = [{"id": mark["id"], "recorded": True, "hidden": text is None, "text": text or ""}]
+        kept = [KeptMark(mark_id, text or "", recorded=True, hidden=text is None)]
     return replace(about, marks=[*others, *kept])
 
 
-def find(events: dict[str, Any], mark_id: str) -> dict[str, Any]:
-    """The event of a mark. Raises NotFoundError."""
-    for event in events["events"]:
-        if event["kind"] == "mark" and event["id"] == mark_id:
-            return dict(event)
-    raise NotFoundError("mark_unknown", f"This flight has no mark '{mark_id}': load its events again.", mark=mark_id)
+def check(events: FlightEvents, mark_id: str) -> None:
+    """Raise NotFoundError where the flight has no such mark."""
+    if not any(event.kind == "mark" and event.id == mark_id for event in events.events):
+        raise NotFoundError(
+            "mark_unknown", f"This flight has no mark '{mark_id}': load its events again.", mark=mark_id
+        )
 
 
-def _as_event(mark: dict[str, Any]) -> dict[str, Any]:
-    return {
-        "t_s": mark["t_s"],
-        "at_s": mark["at_s"],
-        "kind": "mark",
-        "name": "",
-        "id": mark["id"],
-        "data": {"text": mark["text"], "by": mark.get("by")},
-        "until_s": None,
-    }
+def _as_event(mark: KeptMark) -> FlightEvent:
+    data = {"text": mark.text, "by": mark.by}
+    return FlightEvent(mark.t_s or 0.0, mark.at_s or 0.0, "mark", "", mark.id, data, None)

@@ -9,15 +9,19 @@ from __future__ import annotations
 import asyncio
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
+import msgspec
 import structlog
 
+from epf_gcs.contract.flight_questions import FlightQuestion
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, NotFoundError
 from epf_gcs.extras import FLIGHTS
 from epf_gcs.repeating import repeat
 from epf_gcs.workers.asked_process import AskedProcess
+from epf_gcs.workers.lines import ToldFault
 from epf_gcs.workers.missing import require
+from epf_gcs.workers.pipe import ReplyHead
 
 _LONGEST_S: Final = 30.0
 _IDLE_S: Final = 600.0
@@ -38,23 +42,24 @@ class Queries:
         self._idle_s = idle_s
         self._asked_s = self._loop.time()
 
-    async def ask(self, do: str, flight: str, *, growing: bool, **what: Any) -> bytes:
+    async def ask(self, question: FlightQuestion) -> bytes:
         """The answer's bytes. Raises GatewayError."""
         require(FLIGHTS)
         self._asked_s = self._loop.time()
-        question = {"do": do, "flight": flight, "growing": growing, **what}
         answer = await self._loop.run_in_executor(self._thread, self._process.ask, question, self._longest_s)
         self._asked_s = self._loop.time()
         if answer is None:
-            log.error("a question about a flight ended its program", flight=flight, do=do)
+            flight = question.flight
+            log.error("a question about a flight ended its program", flight=flight, do=type(question).__name__)
             raise ConflictError(
                 "recording_unreadable",
                 f"The flight '{flight}' cannot be read: it takes more memory or time than a question may.",
                 reason="it takes more memory or time than a question may",
             )
         head, body = answer
-        if "code" in head:
-            raise _fault(head)
+        fault = msgspec.json.decode(head, type=ReplyHead).fault
+        if fault is not None:
+            raise _error(fault)
         return body
 
     async def run(self) -> None:
@@ -72,9 +77,10 @@ class Queries:
         self._process.end()
 
 
-def _fault(head: dict[str, Any]) -> GatewayError:
-    if head["code"] in _MISSING:
-        return NotFoundError(head["code"], head["detail"], **head["params"])
-    if head["code"] == "flight_not_indexed":
-        return ConflictError(head["code"], head["detail"], **head["params"])
-    return InvalidInputError(head["code"], head["detail"], **head["params"])
+def _error(fault: ToldFault) -> GatewayError:
+    kind: type[GatewayError] = InvalidInputError
+    if fault.code in _MISSING:
+        kind = NotFoundError
+    elif fault.code == "flight_not_indexed":
+        kind = ConflictError
+    return kind(fault.code, fault.detail, **fault.params)

@@ -9,9 +9,10 @@ import shutil
 from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, Final, Literal
+from typing import IO, Final
 
 from epf_gcs.contract.events import Say
+from epf_gcs.contract.maps import ImportState, MapImport, problem_parts
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.maps.files import RASTERS, MapFile, safe_name
 from epf_gcs.maps.folder import MapFolder, exists
@@ -26,8 +27,6 @@ _MOST_AT_ONCE: Final = 7
 _KEPT: Final = 20
 _PIECE_BYTES: Final = 1 << 20
 _TELL_EVERY_S: Final = 0.25
-
-ImportState = Literal["receiving", "converting", "done", "failed"]
 
 
 @dataclass(slots=True)
@@ -44,21 +43,19 @@ class Import:
     problem: GatewayError | None = None
     cancelled: bool = False
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        problem = self.problem
-        return {
-            "id": self.id,
-            "name": self.name,
-            "state": self.state,
-            "bytes": self.bytes,
-            "total_bytes": self.total_bytes,
-            "percent": self.percent,
-            "layer": self.layer,
-            "problem": None if problem is None else problem.detail,
-            "problem_code": None if problem is None else problem.code,
-            "problem_params": {} if problem is None else problem.params,
-        }
+    @property
+    def told(self) -> MapImport:
+        """As the interface gives it."""
+        return MapImport(
+            *problem_parts(self.problem),
+            id=self.id,
+            name=self.name,
+            state=self.state,
+            bytes=self.bytes,
+            total_bytes=self.total_bytes,
+            percent=self.percent,
+            layer=self.layer,
+        )
 
 
 class Imports:
@@ -220,7 +217,7 @@ class Imports:
 
     def _tell(self, one: Import) -> None:
         self._told_s[one.id] = self._loop.time()
-        self._say("map_import", one.as_dict())
+        self._say("map_import", one.told)
 
 
 def _cancelled(name: str) -> ConflictError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import re
 from dataclasses import dataclass
-from typing import Any, Final, Literal, NamedTuple, Protocol
+from typing import Final, Literal, NamedTuple, Protocol
 
 from epf_gcs.errors import GatewayError
 
@@ -73,29 +73,6 @@ class Description:
     projection: Literal["EPSG:4326", "EPSG:3857"] = "EPSG:4326"
     available: tuple[tuple[Range, ...], ...] | None = None
     extensions: tuple[str, ...] = ()
-
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        return {
-            **{name: getattr(self, name) for name in self.__slots__},
-            "bounds": list(self.bounds),
-            "available": None if self.available is None else [[list(one) for one in level] for level in self.available],
-        }
-
-    @classmethod
-    def from_dict(cls, values: dict[str, Any]) -> Description:
-        """The inverse of `as_dict`."""
-        available = values["available"]
-        return cls(
-            **{
-                **values,
-                "bounds": Bounds(*values["bounds"]),
-                "available": None
-                if available is None
-                else tuple(tuple(Range(*one) for one in level) for level in available),
-                "extensions": tuple(values["extensions"]),
-            }
-        )
 
 
 class TileSource(Protocol):

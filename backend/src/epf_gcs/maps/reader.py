@@ -11,14 +11,24 @@ import queue
 import threading
 import time
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
+import msgspec
 import structlog
 
 from epf_gcs.errors import GatewayError, InvalidInputError
 from epf_gcs.maps import faults
 from epf_gcs.maps.layer import Description, LayerFormat, Tile
 from epf_gcs.maps.open_files import Stamp
+from epf_gcs.maps.reader_requests import (
+    DescribeRequest,
+    ForgetRequest,
+    GridRequest,
+    InsideRequest,
+    MapReply,
+    Request,
+    TileRequest,
+)
 from epf_gcs.maps.reading import TOO_COSTLY
 from epf_gcs.workers.asked_process import AskedProcess
 
@@ -57,49 +67,34 @@ class Reader:
 
     def describe(self, path: Path, name: str, form: LayerFormat, stamp: Stamp) -> Description:
         """A file's description. Raises GatewayError if it cannot be shown."""
-        asked = {"do": "describe", "path": str(path), "name": name, "format": form, "stamp": stamp}
-        head, _ = self._ask(asked, path, stamp, self._longest_opening_s)
-        return Description.from_dict(head["description"])
+        asked = DescribeRequest(str(path), name, form, stamp)
+        found = self._ask(asked, path, stamp, self._longest_opening_s)[0].description
+        if found is None:
+            raise faults.damaged(name, "no description")
+        return found
 
     def tile(
         self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
     ) -> Tile | None:
         """One tile, as from `layer.TileSource`. Raises GatewayError if the file cannot be read."""
-        asked = {
-            "do": "tile",
-            "path": str(path),
-            "name": name,
-            "format": form,
-            "stamp": stamp,
-            "place": (zoom, column, row),
-        }
+        asked = TileRequest(str(path), name, form, stamp, (zoom, column, row))
         head, data = self._ask(asked, path, stamp, self._longest_tile_s)
-        return Tile(data, head["media_type"], head["encoding"]) if data else None
+        return Tile(data, head.media_type, head.encoding) if data else None
 
     def grid(
         self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
     ) -> bytes | None:
         """The heights of one tile of terrain; None if there is none. Rows and errors as with `tile`."""
-        asked = {
-            "do": "grid",
-            "path": str(path),
-            "name": name,
-            "format": form,
-            "stamp": stamp,
-            "place": (zoom, column, row),
-        }
+        asked = GridRequest(str(path), name, form, stamp, (zoom, column, row))
         return self._ask(asked, path, stamp, self._longest_tile_s)[1] or None
 
     def raster_inside(self, path: Path, stamp: Stamp) -> str | None:
         """The one raster in an archive; None if there is not exactly one, or if looking took too much."""
         try:
-            head, _ = self._ask(
-                {"do": "inside", "path": str(path), "name": path.name}, path, stamp, self._longest_opening_s
-            )
+            head, _ = self._ask(InsideRequest(str(path), path.name), path, stamp, self._longest_opening_s)
         except GatewayError:
             return None
-        found = head["inside"]
-        return found if isinstance(found, str) else None
+        return head.inside
 
     def forget(self, path: Path) -> None:
         """Close a file that is to be moved. A busy worker keeps it open until its next request."""
@@ -110,7 +105,7 @@ class Reader:
         try:
             for worker in held:
                 if worker.is_running:
-                    worker.ask({"do": "forget", "path": str(path)}, self._longest_tile_s)
+                    worker.ask(ForgetRequest(str(path)), self._longest_tile_s)
         finally:
             # In the order that they came, so that a process that runs is asked before one that has to be started.
             for worker in reversed(held):
@@ -124,10 +119,10 @@ class Reader:
         for worker in self._workers:
             worker.end()
 
-    def _ask(self, asked: dict[str, Any], path: Path, stamp: Stamp, longest_s: float) -> tuple[dict[str, Any], bytes]:
+    def _ask(self, asked: Request, path: Path, stamp: Stamp, longest_s: float) -> tuple[MapReply, bytes]:
         key = (path, stamp)
         if self._costly.get(key, 0.0) > time.monotonic():
-            raise faults.damaged(asked["name"], TOO_COSTLY)
+            raise faults.damaged(asked.name, TOO_COSTLY)
         self._begin_to_watch()
         worker = self._idle.get()
         try:
@@ -136,13 +131,14 @@ class Reader:
             self._idle.put(worker)
         if answer is None:
             self._remember_costly(key)
-            log.warning("a map file was too costly", file=asked["name"])
-            raise faults.damaged(asked["name"], TOO_COSTLY)
-        head, data = answer
-        if "code" in head:
-            if head["params"].get("why") in _GIVEN_UP:
+            log.warning("a map file was too costly", file=asked.name)
+            raise faults.damaged(asked.name, TOO_COSTLY)
+        head, data = msgspec.json.decode(answer[0], type=MapReply), answer[1]
+        fault = head.fault
+        if fault is not None:
+            if fault.params.get("why") in _GIVEN_UP:
                 self._remember_costly(key)
-            raise InvalidInputError(head["code"], head["detail"], **head["params"])
+            raise InvalidInputError(fault.code, fault.detail, **fault.params)
         return head, data
 
     def _remember_costly(self, key: tuple[Path, Stamp]) -> None:

@@ -1,6 +1,6 @@
 """Reads untrusted map files in a separate process with limits. `python -m epf_gcs.maps.reader_worker`.
 
-Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`worker_pipe`). A request
+Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`workers/pipe.py`). A request
 that runs out of memory or time ends this process, and the next request starts another.
 """
 
@@ -10,14 +10,18 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import Any, BinaryIO, Final, get_args
+from typing import BinaryIO, Final, get_args
+
+import msgspec
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh_reading import read_grid
 from epf_gcs.maps import faults
-from epf_gcs.maps.layer import LayerFormat, Tile, TileSource
+from epf_gcs.maps.layer import LayerFormat
 from epf_gcs.maps.open_files import OpenFiles
+from epf_gcs.maps.reader_requests import DescribeRequest, ForgetRequest, GridRequest, InsideRequest, MapReply, Request
 from epf_gcs.maps.reading import limit_question, limit_reading, open_source, raster_inside
+from epf_gcs.workers.lines import ToldFault
 from epf_gcs.workers.pipe import receive, send
 
 OUT_OF_MEMORY: Final = 3
@@ -29,7 +33,7 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     limit_reading()
     try:
-        send(sys.stdout.buffer, {})
+        send(sys.stdout.buffer, MapReply())
         serve(sys.stdin.buffer, sys.stdout.buffer)
     except MemoryError:
         os._exit(OUT_OF_MEMORY)
@@ -40,55 +44,44 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     opened = OpenFiles()
     while (message := receive(requests)) is not None:
         limit_question()
-        send(answers, *_answer(opened, message[0]))
+        send(answers, *_answer(opened, msgspec.json.decode(message[0], type=Request)))
     opened.close()
 
 
-def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
-    path = Path(asked["path"])
+def _answer(opened: OpenFiles, asked: Request) -> tuple[MapReply, bytes]:
     try:
-        match asked["do"]:
-            case "inside":
-                return {"inside": raster_inside(path)}, b""
-            case "forget":
-                for form in get_args(LayerFormat):
-                    opened.forget(_key(path, form))
-                return {}, b""
-            case "describe":
-                with opened.reading(
-                    _key(path, asked["format"]), tuple(asked["stamp"]), lambda: _open(path, asked)
-                ) as source:
-                    return {"description": source.description.as_dict()}, b""
-            case "grid":
-                with opened.reading(
-                    _key(path, asked["format"]), tuple(asked["stamp"]), lambda: _open(path, asked)
-                ) as source:
-                    tile = source.tile(*asked["place"])
-                return {}, b"" if tile is None else read_grid(tile.data)
-            case _:
-                with opened.reading(
-                    _key(path, asked["format"]), tuple(asked["stamp"]), lambda: _open(path, asked)
-                ) as source:
-                    tile = source.tile(*asked["place"])
-                return ({}, b"") if tile is None else (_head(tile), tile.data)
+        return _found(opened, asked)
     except GatewayError as error:
-        return error.as_dict(), b""
+        return MapReply(ToldFault.of(error)), b""
     except (OSError, ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:
-        fault = faults.damaged(asked.get("name", path.name), str(error) or type(error).__name__)
-        return fault.as_dict(), b""
+        fault = faults.damaged(asked.name or Path(asked.path).name, str(error) or type(error).__name__)
+        return MapReply(ToldFault.of(fault)), b""
+
+
+def _found(opened: OpenFiles, asked: Request) -> tuple[MapReply, bytes]:
+    path = Path(asked.path)
+    if isinstance(asked, InsideRequest):
+        return MapReply(inside=raster_inside(path)), b""
+    if isinstance(asked, ForgetRequest):
+        for form in get_args(LayerFormat):
+            opened.forget(_key(path, form))
+        return MapReply(), b""
+    with opened.reading(
+        _key(path, asked.format), asked.stamp, lambda: open_source(path, asked.name, asked.format)
+    ) as source:
+        if isinstance(asked, DescribeRequest):
+            return MapReply(description=source.description), b""
+        tile = source.tile(*asked.place)
+    if tile is None:
+        return MapReply(), b""
+    if isinstance(asked, GridRequest):
+        return MapReply(), read_grid(tile.data)
+    return MapReply(media_type=tile.media_type, encoding=tile.encoding), tile.data
 
 
 def _key(path: Path, form: str) -> str:
     """The same file may be open for each of its sets of tiles."""
     return f"{form} {path}"
-
-
-def _open(path: Path, asked: dict[str, Any]) -> TileSource:
-    return open_source(path, asked["name"], asked["format"])
-
-
-def _head(tile: Tile) -> dict[str, Any]:
-    return {"media_type": tile.media_type, "encoding": tile.encoding}
 
 
 if __name__ == "__main__":

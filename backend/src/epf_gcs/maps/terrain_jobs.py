@@ -18,7 +18,7 @@ from epf_gcs.maps.files import MapFile
 from epf_gcs.maps.folder import MapFolder
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.workers.child import child
-from epf_gcs.workers.lines import hear_lines
+from epf_gcs.workers.lines import WorkerLine, hear_lines
 from epf_gcs.workers.missing import missing
 
 _WORKER: Final = "epf_gcs.maps.terrain_worker"
@@ -34,6 +34,12 @@ class ThreadRunner(Protocol):
 
     def __call__(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
         """Return the work's result, or raise its exception."""
+
+
+class TerrainLine(WorkerLine):
+    """A line of the terrain worker."""
+
+    percent: int = 0
 
 
 class TerrainJobs:
@@ -104,7 +110,7 @@ class TerrainJobs:
         async with child(sys.executable, "-m", _WORKER, *arguments, stdin=nowhere, stdout=pipe) as process:
             self._current = (file.id, process)
             try:
-                problem = await hear_lines(process, partial(self._heard, file), InvalidInputError)
+                problem = await hear_lines(process, TerrainLine, partial(self._heard, file), InvalidInputError)
                 code = await process.wait()
             finally:
                 self._current = None
@@ -113,9 +119,9 @@ class TerrainJobs:
             problem = faults.not_converted(file.path.name, f"{code}")
         return problem
 
-    def _heard(self, file: MapFile, message: dict[str, Any]) -> None:
-        percent = self._percent[file.id] = int(message["percent"])
-        self.told(file, percent)
+    def _heard(self, file: MapFile, line: TerrainLine) -> None:
+        self._percent[file.id] = line.percent
+        self.told(file, line.percent)
 
     def _problem_of(self, file: MapFile) -> GatewayError:
         failed = self._failed.get((file.id, file.stamp))

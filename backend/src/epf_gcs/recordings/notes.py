@@ -36,6 +36,10 @@ LINE: Final = "epf/line"
 CLOCK: Final = "epf/clock"
 
 
+Content = dict[str, Any]
+"""What a note says, of the shapes above; a stranger's file may say anything in any shape."""
+
+
 @dataclass(frozen=True, slots=True)
 class Note:
     """One note and its time."""

@@ -19,10 +19,10 @@ _PLANS: Final[tuple[PlanName, ...]] = ("flight", "hil")
 def build_known(head: Playhead, at_s: float) -> FlightKnowledge:
     """Identity, gains and both plans as noted until `at_s` seconds after the start."""
     now = head.known.now
-    parameters, plans = now["parameters"], now["plans"]
+    parameters, plans = now.parameters, now.plans
     return FlightKnowledge(
         at_s,
-        identity_of(now["identity"]),
+        identity_of(now.identity),
         None if parameters is None else gains_of(parameters),
         KnownMissions(*(_plan(plan, plans[plan]) if plan in plans else None for plan in _PLANS)),
     )

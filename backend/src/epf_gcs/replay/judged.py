@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
-from typing import Any
+from typing import NamedTuple
 
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import Finding, Line, Loop
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.vehicle import Vehicle
-from epf_gcs.vehicle.watch import VehicleWatch
+from epf_gcs.vehicle.watch import VehicleWatch, WatchState
+
+
+class JudgedState(NamedTuple):
+    """What the rules remember, and the alarms that they found."""
+
+    watch: WatchState
+    alarms: list[AlarmState]
 
 
 class JudgedAlarms:
@@ -35,14 +41,14 @@ class JudgedAlarms:
         """What is or was wrong, oldest first. Nobody acknowledged anything."""
         return [alarm.state for alarm in self._alarms.active]
 
-    def kept(self) -> dict[str, Any]:
-        """Plain values for `restore`."""
-        return {"watch": self._watch.kept(), "alarms": [asdict(alarm) for alarm in self.listed()]}
+    def kept(self) -> JudgedState:
+        """For `restore`."""
+        return JudgedState(self._watch.kept(), self.listed())
 
-    def restore(self, kept: Mapping[str, Any]) -> None:
+    def restore(self, kept: JudgedState) -> None:
         """Go on from what `kept` gave."""
-        self._watch.restore(kept["watch"])
-        self._alarms.restore(AlarmState(**alarm) for alarm in kept["alarms"])
+        self._watch.restore(kept.watch)
+        self._alarms.restore(kept.alarms)
 
     def _find(self, limits: Mapping[str, float]) -> list[Finding]:
         line = self._line()

@@ -15,9 +15,10 @@ from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from struct import Struct
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs import __version__
+from epf_gcs.replay.playhead import PlayheadState
 from epf_gcs.system.files import read_at, write_at
 from epf_gcs.system.locks import lock
 
@@ -70,13 +71,13 @@ class Keys:
         with contextlib.suppress(OSError):
             self._read_on(self._file)
 
-    def before(self, t_ns: int) -> tuple[int, dict[str, Any]] | None:
-        """Time and state of the last key frame at or before `t_ns`."""
+    def before(self, t_ns: int) -> tuple[int, PlayheadState] | None:
+        """Time and state of the last key frame at or before `t_ns`; one that cannot be read is passed over."""
         number = bisect_right(self._times, t_ns) - 1
         while number >= 0:
             packed = self._packed[number] or self._fetch(*self._places[number])
             with contextlib.suppress(ValueError, zlib.error):
-                return self._times[number], json.loads(zlib.decompress(packed))
+                return self._times[number], PlayheadState.from_json(zlib.decompress(packed))
             number -= 1
         return None
 

@@ -7,7 +7,10 @@ depends on the recorded bytes, notes and times alone. Ticks, which live come whe
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from typing import Any, Final
+
+import msgspec
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
@@ -19,14 +22,14 @@ from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT
 from epf_gcs.replay.ahrs_test import RecordedAhrsTest
 from epf_gcs.replay.clock import RecordedClock
-from epf_gcs.replay.judged import JudgedAlarms
-from epf_gcs.replay.known import RecordedState
+from epf_gcs.replay.judged import JudgedAlarms, JudgedState
+from epf_gcs.replay.known import KnownState, LineNote, RecordedState
 from epf_gcs.replay.timeline import Cursor, Item, Timeline
 from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.rates import ByteRate
 from epf_gcs.vehicle.simulator_samples import Reading
-from epf_gcs.vehicle.vehicle import Vehicle
+from epf_gcs.vehicle.vehicle import Vehicle, VehicleState
 from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
 _TICK_NS: Final = 100_000_000
@@ -54,6 +57,34 @@ class RecordedLine:
         return True
 
 
+@dataclass(frozen=True, slots=True)
+class PlayheadState:
+    """A key frame: all that what comes next depends on. Unix times; `lines`: when the board's line was attached, and
+    the first and the last command 50; `counts` and `rates` as the playhead has them."""
+
+    t_ns: int
+    tick_ns: int
+    heard_ns: int
+    frame_ns: int
+    known: KnownState
+    vehicle: VehicleState
+    sent: list[Any]
+    counts: tuple[int, int, int, int]
+    rates: list[list[tuple[float, int]]]
+    errors: dict[str, int]
+    lines: tuple[float, float | None, float | None]
+    judged: JudgedState | None
+
+    def as_json(self) -> str:
+        """The key frame's text. Values of a simulator may be no number, which JSON of others does not have."""
+        return json.dumps(msgspec.to_builtins(self), separators=(",", ":"))
+
+    @staticmethod
+    def from_json(text: bytes) -> PlayheadState:
+        """Read it back. Raises ValueError."""
+        return msgspec.convert(json.loads(text), PlayheadState, str_keys=True)
+
+
 class Playhead:
     """`advance` feeds all up to a moment. `from_ns` and `kept` are a key frame's; without them it begins at the start.
 
@@ -61,7 +92,7 @@ class Playhead:
     """
 
     def __init__(
-        self, timeline: Timeline, outlet: Outlet, from_ns: int | None = None, kept: dict[str, Any] | None = None
+        self, timeline: Timeline, outlet: Outlet, from_ns: int | None = None, kept: PlayheadState | None = None
     ) -> None:
         self._outlet = outlet
         self._cursor = Cursor(timeline, from_ns)
@@ -69,7 +100,9 @@ class Playhead:
         self.known = RecordedState()
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, lambda *told: outlet.event(ErrorEvent.of(*told)))
-        self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s)
+        # Those of the simulator's jumps that were noted are told from the notes.
+        is_noted = timeline.has_event_notes
+        self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s, tells_jumps=not is_noted)
         self._ahrs_test = RecordedAhrsTest(self.vehicle)
         self._sent = FrameDecoder(TO_BOARD)
         self.bytes_sent = 0
@@ -82,10 +115,7 @@ class Playhead:
         self._first_to_board_s: float | None = None
         self._to_board_s: float | None = None
         self.clock.t_ns = self._heard_ns = self._frame_ns = timeline.starts_ns or 0
-        self._judged = None if timeline.has_event_notes else JudgedAlarms(self.vehicle, outlet, self._line, self._loop)
-        if self._judged is None:
-            # Those that were noted are told.
-            self.vehicle.simulator.motion.on_jump = None
+        self._judged = None if is_noted else JudgedAlarms(self.vehicle, outlet, self._line, self._loop)
         if kept is None:
             self._begin(from_ns)
         else:
@@ -139,23 +169,21 @@ class Playhead:
 
     def kept(self) -> str:
         """The state as a key frame holds it; only while no AHRS test has the line."""
-        return json.dumps(
-            {
-                "t_ns": self.clock.t_ns,
-                "tick_ns": self._tick_ns,
-                "heard_ns": self._heard_ns,
-                "frame_ns": self._frame_ns,
-                "known": self.known.now,
-                "vehicle": self.vehicle.kept(),
-                "sent": self._sent.kept(),
-                "counts": [self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped],
-                "rates": [rate.kept() for rate in (self.board_in, self.board_out, self.simulator_in)],
-                "errors": dict(self.errors.counts),
-                "lines": [self._attached_s, self._first_to_board_s, self._to_board_s],
-                "judged": None if self._judged is None else self._judged.kept(),
-            },
-            separators=(",", ":"),
+        state = PlayheadState(
+            t_ns=self.clock.t_ns,
+            tick_ns=self._tick_ns,
+            heard_ns=self._heard_ns,
+            frame_ns=self._frame_ns,
+            known=self.known.now,
+            vehicle=self.vehicle.kept(),
+            sent=self._sent.kept(),
+            counts=(self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped),
+            rates=[rate.kept() for rate in (self.board_in, self.board_out, self.simulator_in)],
+            errors=dict(self.errors.counts),
+            lines=(self._attached_s, self._first_to_board_s, self._to_board_s),
+            judged=None if self._judged is None else self._judged.kept(),
         )
+        return state.as_json()
 
     @property
     def can_be_kept(self) -> bool:
@@ -175,30 +203,29 @@ class Playhead:
                 self.known.take(note)
         self._tick_ns = self._after(self.clock.t_ns)
         self._attach()
-        self._begin_simulator(self.known.lines["simulator"]["profile"])
+        self._begin_simulator(self.known.now.lines["simulator"].profile)
 
     def _attach(self) -> None:
-        board = self.known.lines["board"]
-        if board["open"] or not self.known.now["has_lines"]:
-            baud = board["baud"]
-            line = RecordedLine(baud if isinstance(baud, int) else _DEFAULT_BAUD)
-            self.vehicle.board.attach(line, is_emulated=board["emulated"])
+        board = self.known.now.lines["board"]
+        if board.open or not self.known.now.has_lines:
+            line = RecordedLine(_DEFAULT_BAUD if board.baud is None else board.baud)
+            self.vehicle.board.attach(line, is_emulated=board.emulated)
             self._attached_s = self.clock.now_s()
 
-    def _restore(self, kept: dict[str, Any]) -> None:
-        self.clock.t_ns, self._tick_ns, self._heard_ns = kept["t_ns"], kept["tick_ns"], kept["heard_ns"]
-        self._frame_ns = kept["frame_ns"]
-        self.known.now = kept["known"]
+    def _restore(self, kept: PlayheadState) -> None:
+        self.clock.t_ns, self._tick_ns, self._heard_ns = kept.t_ns, kept.tick_ns, kept.heard_ns
+        self._frame_ns = kept.frame_ns
+        self.known.now = kept.known
         self._attach()
-        self.vehicle.restore(kept["vehicle"])
-        self._sent.restore(kept["sent"])
-        self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped = kept["counts"]
-        for rate, held in zip((self.board_in, self.board_out, self.simulator_in), kept["rates"], strict=True):
+        self.vehicle.restore(kept.vehicle)
+        self._sent.restore(kept.sent)
+        self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped = kept.counts
+        for rate, held in zip((self.board_in, self.board_out, self.simulator_in), kept.rates, strict=True):
             rate.restore(held)
-        self.errors.counts.update(kept["errors"])
-        self._attached_s, self._first_to_board_s, self._to_board_s = kept["lines"]
-        if self._judged is not None and kept["judged"] is not None:
-            self._judged.restore(kept["judged"])
+        self.errors.counts.update(kept.errors)
+        self._attached_s, self._first_to_board_s, self._to_board_s = kept.lines
+        if self._judged is not None and kept.judged is not None:
+            self._judged.restore(kept.judged)
 
     def _take(self, item: Item) -> None:
         topic, data = item.topic, item.data
@@ -249,7 +276,7 @@ class Playhead:
         return [one for one in decoder.feed(data) if isinstance(one, Frame) and one.message is _COMMAND_50]
 
     def _take_note(self, note: Note) -> None:
-        before = {name: dict(line) for name, line in self.known.lines.items()}
+        board, simulator = self.known.now.lines["board"], self.known.now.lines["simulator"]
         rate_command = self.known.take(note)
         if rate_command is not None:
             self.vehicle.telemetry.rate_changed(rate_command)
@@ -258,7 +285,7 @@ class Playhead:
                 self.vehicle.board.session.expect_heartbeat_every(self._period_s(rate_command))
         content = note.content
         if note.name == notes.LINE:
-            self._lines_changed(before)
+            self._lines_changed(board, simulator)
         elif note.name == "simulator_link" and isinstance(content, dict):
             # A note of the first recordings.
             self._begin_simulator(content.get("profile"))
@@ -273,20 +300,20 @@ class Playhead:
             self._outlet.event(event)
             self.clock.t_ns = here_ns
 
-    def _lines_changed(self, before: dict[str, dict[str, Any]]) -> None:
+    def _lines_changed(self, board_before: LineNote, simulator_before: LineNote) -> None:
         """A note says how the lines are; it may say what is known already."""
-        board, simulator = self.known.lines["board"], self.known.lines["simulator"]
-        if board != before["board"]:
+        board, simulator = self.known.now.lines["board"], self.known.now.lines["simulator"]
+        if board != board_before:
             if self.vehicle.board.link is not None:
                 self.vehicle.board.detach()
             self._attach()
-        if simulator != before["simulator"]:
-            if simulator["open"]:
-                self._begin_simulator(simulator["profile"])
+        if simulator != simulator_before:
+            if simulator.open:
+                self._begin_simulator(simulator.profile)
             else:
                 self.vehicle.simulator.end()
 
-    def _begin_simulator(self, profile: Any) -> None:
+    def _begin_simulator(self, profile: object) -> None:
         self.vehicle.simulator.begin("xp12" if profile == "xp12" else "xp10")
 
     def _tick_to(self, t_ns: int) -> None:
@@ -311,7 +338,7 @@ class Playhead:
             return None
         was_heard = board.session.heartbeat_s is not None
         return Line(
-            target=self.known.lines["board"]["url"] or "",
+            target=self.known.now.lines["board"].url or "",
             wanted_for_s=now_s - self._attached_s,
             is_lost=was_heard and not board.is_open,
             was_heard=was_heard,

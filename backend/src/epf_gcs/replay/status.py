@@ -21,7 +21,7 @@ def build_status(head: Playhead, file: str, size: int) -> Status:
         board=_board(head),
         simulator=_simulator(head),
         hil=_hil(head),
-        recording=RecordingState(file=file, bytes=size, bytes_lost=head.known.now["lost_bytes"]),
+        recording=RecordingState(file=file, bytes=size, bytes_lost=head.known.now.lost_bytes),
         alarms=head.alarms,
         errors=dict(head.errors.counts),
         topics=head.vehicle.telemetry.summary(),
@@ -30,12 +30,12 @@ def build_status(head: Playhead, file: str, size: int) -> Status:
 
 def _board(head: Playhead) -> BoardStatus:
     board, known = head.vehicle.board, head.known
-    line = known.lines["board"]
-    capabilities = known.now["identity"].get("board") or board.capabilities()
-    state = _heard(head) if board.link is not None else line["said"]
+    line = known.now.lines["board"]
+    capabilities = known.now.identity.get("board") or board.capabilities()
+    state = _heard(head) if board.link is not None else line.said
     return BoardStatus(
         state=state,
-        url=line["url"],
+        url=line.url,
         mode=None if state != "open" else "extended" if capabilities else "legacy",
         features=features_of(capabilities),
         firmware=firmware_of(capabilities),
@@ -55,12 +55,10 @@ def _board(head: Playhead) -> BoardStatus:
 
 def _simulator(head: Playhead) -> SimulatorStatus:
     simulator, known, now_s = head.vehicle.simulator, head.known, head.clock.now_s()
-    line = known.lines["simulator"]
+    line = known.now.lines["simulator"]
     rows = simulator.rows(now_s)
     heard: LinkState | None = "open" if rows else "lost" if simulator.arrivals else None
-    state: LinkState = (
-        (heard or "opening") if line["open"] else line["said"] if known.now["has_lines"] else heard or "closed"
-    )
+    state: LinkState = (heard or "opening") if line.open else line.said if known.now.has_lines else heard or "closed"
     return SimulatorStatus(
         state=state,
         profile=simulator.profile if state != "closed" else None,

@@ -7,9 +7,10 @@ import secrets
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final, Protocol
+from typing import Final, Protocol
 
 from epf_gcs.clock import Clock
+from epf_gcs.contract.answers import TrackState
 from epf_gcs.contract.events import Say
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.repeating import repeat
@@ -150,9 +151,10 @@ class Tracks:
             self._examples = self._new_pair()
             self._tell()
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        return {"flight_points": len(self.now.flight), "hil_points": len(self.now.hil), "can_restore": self.can_restore}
+    @property
+    def state(self) -> TrackState:
+        """As the interface gives it."""
+        return TrackState(len(self.now.flight), len(self.now.hil), self.can_restore)
 
     def _on_gps(self, t_s: float, values: Values) -> None:
         """Add a GPS position, if it has a fix: without one receivers send the last position, or 0 deg N 0 deg E."""
@@ -175,7 +177,7 @@ class Tracks:
         return Track(self._clock.now_s(), secrets.randbits(32))
 
     def _tell(self) -> None:
-        self._say("track", self.as_dict())
+        self._say("track", self.state)
 
 
 def _attitude(values: Values, names: tuple[str, str, str]) -> Attitude | None:

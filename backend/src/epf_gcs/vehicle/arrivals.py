@@ -23,6 +23,9 @@ _SHORTEST_SILENCE_S: Final = 0.5
 _REMEMBERED: Final = 9
 
 
+KeptArrivals = tuple[int, list[float], Any]
+
+
 @dataclass(frozen=True, slots=True)
 class ArrivalSummary:
     """`jitter_ms` is the standard deviation of the intervals, None below two; `age_s` is None before the first."""
@@ -62,7 +65,7 @@ class Arrivals:
         same._times_s = self._times_s.copy()
         return same
 
-    def kept(self) -> tuple[int, list[float], Any]:
+    def kept(self) -> KeptArrivals:
         """Count, times of the newest messages and values of the last, for `restored`."""
         return self.count, list(self._times_s)[-_REMEMBERED:], self.values
 

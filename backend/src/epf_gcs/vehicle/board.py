@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
-from typing import Any, Final, Protocol
+from typing import Any, Final, NamedTuple, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
@@ -36,6 +36,18 @@ class ExclusiveUser(Protocol):
 
     def on_line_released(self) -> bytes:
         """End the exclusive use; returns the bytes that bring the board back to text mode."""
+
+
+class BoardState(NamedTuple):
+    """What the next bytes are decoded by, and all counts; of bytes and damage also those at the last tick or link."""
+
+    session: list[Any]
+    decoder: list[Any]
+    was_open: bool
+    frames: int
+    bytes_in: tuple[int, int]
+    damage: tuple[dict[str, int], dict[str, int]]
+    statistics: list[Any]
 
 
 class Board:
@@ -310,27 +322,27 @@ class Board:
         if found is not None and self.on_restarted is not None:
             self.on_restarted(found)
 
-    def kept(self) -> dict[str, Any]:
-        """What the next bytes are decoded by, and all counts, as plain values for `restore`."""
-        return {
-            "session": self.session.kept(),
-            "decoder": self._decoder.kept(),
-            "was_open": self._was_open,
-            "frames": self.frames_received,
-            "bytes": [self.bytes_in, self._bytes_at_tick],
-            "damage": [dict(self.damage), dict(self._damage_before)],
-            "books": self.frame_statistics.kept(),
-        }
+    def kept(self) -> BoardState:
+        """For `restore`."""
+        return BoardState(
+            session=self.session.kept(),
+            decoder=self._decoder.kept(),
+            was_open=self._was_open,
+            frames=self.frames_received,
+            bytes_in=(self.bytes_in, self._bytes_at_tick),
+            damage=(dict(self.damage), dict(self._damage_before)),
+            statistics=self.frame_statistics.kept(),
+        )
 
-    def restore(self, kept: Mapping[str, Any]) -> None:
+    def restore(self, kept: BoardState) -> None:
         """Go on from a state that `kept` gave, with the same line attached."""
-        self.session.restore(kept["session"])
-        self._decoder.restore(kept["decoder"])
-        self._was_open = kept["was_open"]
-        self.frames_received = kept["frames"]
-        self.bytes_in, self._bytes_at_tick = kept["bytes"]
-        self.damage, self._damage_before = map(Counter, kept["damage"])
-        self._statistics.restore(kept["books"])
+        self.session.restore(kept.session)
+        self._decoder.restore(kept.decoder)
+        self._was_open = kept.was_open
+        self.frames_received = kept.frames
+        self.bytes_in, self._bytes_at_tick = kept.bytes_in
+        self.damage, self._damage_before = map(Counter, kept.damage)
+        self._statistics.restore(kept.statistics)
 
     def capabilities(self) -> dict[str, Json]:
         """What an extended board reported about itself; empty for a legacy board."""

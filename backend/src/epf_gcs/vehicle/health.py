@@ -30,6 +30,8 @@ TASK_OF_TOPIC: Final = {
 # Sent when asked for, not in a stream: they do not grow stale.
 ANSWERS: Final = frozenset({"autopilot_parameters"})
 
+KeptHealth = tuple[int, float | None, list[float], dict[str, int]]
+
 
 class TopicHealth:
     """Counts of one topic. Times in seconds of any steady clock."""
@@ -51,7 +53,7 @@ class TopicHealth:
         if implausible:
             self.implausible.update(implausible)
 
-    def kept(self) -> tuple[int, float | None, list[float], dict[str, int]]:
+    def kept(self) -> KeptHealth:
         """Count, time of the newest sample, newest intervals and implausible values, for `restored`."""
         return self.count, self.last_s, list(self._intervals), dict(self.implausible)
 

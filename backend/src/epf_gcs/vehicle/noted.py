@@ -11,17 +11,18 @@ from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.contract.answers import FlightIdentity, GainState, ParameterState
+from epf_gcs.recordings.notes import Content
 
 # What is known of a gain (`vehicle/parameters.py`); another word can only come from a stranger's file.
 _STATES: Final = ("unknown", "loaded", "pending", "confirmed", "rejected")
 
 
-def gains_of(content: dict[str, Any]) -> list[ParameterState]:
+def gains_of(content: Content) -> list[ParameterState]:
     """The gains from their note ({name: {"value", "state", "loaded"}}), as GET /parameters gives them."""
     found = []
     for gain in PARAMETERS:
         given = content.get(gain.name)
-        held: dict[str, Any] = given if isinstance(given, dict) else {}
+        held: Content = given if isinstance(given, dict) else {}
         found.append(
             ParameterState.of(
                 gain,
@@ -41,7 +42,7 @@ def _number(value: Any) -> float | None:
 
 def identity_of(content: Any) -> FlightIdentity:
     """The identity from its note; nothing is known without one."""
-    given: dict[str, Any] = content if isinstance(content, dict) else {}
+    given: Content = content if isinstance(content, dict) else {}
     board = given.get("board")
     name = board.get("name") if isinstance(board, dict) else board
     texts = {key: given.get(key) for key in ("station", "firmware", "aircraft", "operator")}

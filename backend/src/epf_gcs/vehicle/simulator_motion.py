@@ -6,10 +6,10 @@ A paused simulator goes on sending its rows, all equal. They arrive, but they ar
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from operator import itemgetter
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.contract.events import SimulatorJumpEvent
@@ -66,71 +66,59 @@ class Jump:
         return SimulatorJumpEvent(round(self.distance_m), place.latitude_deg, place.longitude_deg, place.altitude_ft)
 
 
-class SimulatorMotion:
-    """Told each row as it arrives, with Unix times; `on_jump` is set by who tells of jumps."""
+@dataclass(slots=True)
+class MotionState:
+    """What the next rows are judged by; Unix times. `heard`: the newest of each row. `place`: the newest known one, its
+    time, latitude, longitude and altitude."""
 
-    def __init__(self) -> None:
-        self.on_jump: Callable[[Jump], None] | None = None
+    heard: dict[int, tuple[float, Eight]] = field(default_factory=dict)
+    moved_s: float = 0.0
+    place: tuple[float, float, float, float] | None = None
+    profile: str = "xp10"
+    jumped_s: float = 0.0
+
+
+class SimulatorMotion:
+    """Told each row as it arrives, with Unix times; `on_jump` hears of jumps. `state` is its whole memory."""
+
+    def __init__(self, on_jump: Callable[[Jump], None]) -> None:
+        self._on_jump = on_jump
         self.forget()
 
     def forget(self) -> None:
         """Another simulator."""
-        self._heard: dict[int, tuple[float, Eight]] = {}
-        self._moved_s = 0.0
-        # Unix time of the newest known place, and its latitude, longitude and altitude.
-        self._place: tuple[float, float, float, float] | None = None
-        self._profile = "xp10"
-        self._jumped_s = 0.0
+        self.state = MotionState()
 
     def take(self, row: int, values: Eight, t_s: float, profile: str) -> None:
         """Take one of the MOTION_ROWS."""
-        before = self._heard.get(row)
-        self._heard[row] = (t_s, values)
-        self._profile = profile
+        state = self.state
+        before = state.heard.get(row)
+        state.heard[row] = (t_s, values)
+        state.profile = profile
         if before is None or not _is_same(before[1], values):
-            self._moved_s = t_s
+            state.moved_s = t_s
         if row == _POSITION_ROW:
             self._move(values, t_s)
 
     def is_paused(self, now_s: float) -> bool:
         """Whether all of the rows have arrived for a while without a change, of an aircraft in flight."""
-        heard = self._heard
-        if now_s - self._moved_s < _PAUSED_AFTER_S or len(heard) < len(MOTION_ROWS):
+        heard, moved_s = self.state.heard, self.state.moved_s
+        if now_s - moved_s < _PAUSED_AFTER_S or len(heard) < len(MOTION_ROWS):
             return False
         oldest_s = min(t_s for t_s, _ in heard.values())
-        hangs_still = oldest_s - self._moved_s >= _PAUSED_AFTER_S and now_s - oldest_s <= _SILENT_AFTER_S
+        hangs_still = oldest_s - moved_s >= _PAUSED_AFTER_S and now_s - oldest_s <= _SILENT_AFTER_S
         return hangs_still and self._speed_kt() >= _FLYING_KT
-
-    def kept(self) -> dict[str, Any]:
-        """Plain values for `restore`."""
-        place = self._place
-        return {
-            "heard": [[row, t_s, list(values)] for row, (t_s, values) in self._heard.items()],
-            "moved_s": self._moved_s,
-            "jumped_s": self._jumped_s,
-            "profile": self._profile,
-            "place": None if place is None else list(place),
-        }
-
-    def restore(self, kept: Mapping[str, Any]) -> None:
-        """Go on from what `kept` gave."""
-        self.forget()
-        self._heard = {row: (t_s, tuple(values)) for row, t_s, values in kept["heard"]}
-        self._moved_s = kept["moved_s"]
-        self._jumped_s = kept["jumped_s"]
-        self._profile = kept["profile"]
-        self._place = None if kept["place"] is None else tuple(kept["place"])
 
     def _speed_kt(self) -> float:
         """Indicated airspeed, 0 if unknown."""
-        heard = self._heard.get(_SPEED_ROW)
+        heard = self.state.heard.get(_SPEED_ROW)
         if heard is None:
             return 0.0
-        return row_meaning(_SPEED_ROW, heard[1], self._profile).values["indicated_airspeed_kt"] or 0.0
+        return row_meaning(_SPEED_ROW, heard[1], self.state.profile).values["indicated_airspeed_kt"] or 0.0
 
     def _move(self, values: Eight, t_s: float) -> None:
         latitude_deg, longitude_deg, altitude_ft = _pick_place(values)
-        before = self._place
+        before = self.state.place
         if (
             before is not None
             and abs(latitude_deg - before[1]) < _NEAR_DEG
@@ -138,24 +126,23 @@ class SimulatorMotion:
             and abs(altitude_ft - before[3]) < _NEAR_FT
         ):
             # Nearly every one, and cheaply.
-            self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
+            self.state.place = (t_s, latitude_deg, longitude_deg, altitude_ft)
             return
-        meaning = row_meaning(_POSITION_ROW, values, self._profile).values
+        meaning = row_meaning(_POSITION_ROW, values, self.state.profile).values
         if any(meaning[name] is None for name in _PLACE):
             return
-        self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
+        now = self.state.place = (t_s, latitude_deg, longitude_deg, altitude_ft)
         if before is not None:
-            self._judge_jump(before, self._place)
+            self._judge_jump(before, now)
 
     def _judge_jump(self, before: tuple[float, float, float, float], now: tuple[float, float, float, float]) -> None:
         t_s, to = now[0], Place(*now[1:])
         along_m = distance_m(*before[1:3], *now[1:3])
         way_m = math.hypot(along_m, (now[3] - before[3]) * M_PER_FT)
         flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * MPS_PER_KT * max(0.0, t_s - before[0])
-        if way_m > _JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
-            self._jumped_s = t_s
-            if self.on_jump is not None:
-                self.on_jump(Jump(t_s, way_m, to))
+        if way_m > _JUMP_M + flown_m and t_s - self.state.jumped_s >= _QUIET_S:
+            self.state.jumped_s = t_s
+            self._on_jump(Jump(t_s, way_m, to))
 
 
 def _is_same(one: Eight, other: Eight) -> bool:

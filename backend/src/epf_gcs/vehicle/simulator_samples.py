@@ -5,19 +5,20 @@ What comes out depends on the datagrams and their times alone, so that a replay 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final, NamedTuple, Protocol, cast
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.contract.base import SimulatorProfile
-from epf_gcs.vehicle.arrivals import Arrivals
+from epf_gcs.vehicle.arrivals import Arrivals, KeptArrivals
 from epf_gcs.vehicle.judges import Finding
+from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.pace_judge import POSITION_ROW, SPEED_ROW, PaceJudge
 from epf_gcs.vehicle.profile_judge import ATTITUDE_ROW, RATES_ROW, ProfileJudge
-from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, SimulatorMotion
+from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, Jump, MotionState, SimulatorMotion
 from epf_gcs.vehicle.unusable_value import UnusableValue
 from epf_gcs.xplane.datagram import Eight, Record, parse
-from epf_gcs.xplane.gather import Gatherer
+from epf_gcs.xplane.gather import Gatherer, GathererState
 from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning, unusable_values
 from epf_gcs.xplane.whole import WholeFrames
 
@@ -34,7 +35,7 @@ SIMULATOR_TOPICS: Final = frozenset({"simulator", "xplane_info", "xplane_rows"})
 class Samples(Protocol):
     """Where samples go: the telemetry of a vehicle."""
 
-    def take(self, topic: str, t_s: float, values: Mapping[str, Any], implausible: Iterable[str] = (), /) -> None:
+    def take(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = (), /) -> None:
         """Take a sample, heard at Unix time `t_s`."""
 
 
@@ -47,17 +48,32 @@ class Reading(NamedTuple):
     info: XplaneInfo | None
 
 
+class SimulatorState(NamedTuple):
+    """All that the next samples depend on; Unix times. The two rules as their `kept` gives them."""
+
+    profile: SimulatorProfile
+    shown_s: float
+    raw_shown_s: float
+    datagrams: int
+    bytes_in: int
+    gatherer: GathererState
+    profile_judge: list[Any]
+    pace_judge: list[Any]
+    rows: dict[int, KeptArrivals]
+    motion: MotionState
+
+
 class SimulatorSamples:
     """`read` does only what the loop with the board waits for; `show` makes the samples, in the order of the line."""
 
-    def __init__(self, telemetry: Samples) -> None:
+    def __init__(self, telemetry: Samples, on_jump: Callable[[Jump], None] = lambda _: None) -> None:
         self._telemetry = telemetry
         self._profile: SimulatorProfile = "xp10"
         self._gatherer = Gatherer(self._profile)
         self._whole_frames = WholeFrames(self._profile)
         self._rows: dict[int, Arrivals] = {}
         self._begin_judging()
-        self.motion = SimulatorMotion()
+        self.motion = SimulatorMotion(on_jump)
         self._shown_s = 0.0
         self._raw_shown_s = 0.0
         self.datagrams = 0
@@ -146,34 +162,42 @@ class SimulatorSamples:
             raw = {str(row): list(values) for row, values in sorted(live.items())}
             self._telemetry.take("xplane_rows", t_s, {"rows": raw})
 
-    def kept(self) -> dict[str, Any]:
-        """All that the next samples depend on, as plain values for `restore`."""
-        return {
-            "profile": self._profile,
-            "shown_s": self._shown_s,
-            "raw_shown_s": self._raw_shown_s,
-            "datagrams": self.datagrams,
-            "bytes_in": self.bytes_in,
-            "gatherer": self._gatherer.kept(),
-            "profile_judge": self._profile_judge.kept(),
-            "pace_judge": self._pace_judge.kept(),
-            "rows": [[row, *one.kept()] for row, one in self._rows.items()],
-            "motion": self.motion.kept(),
-        }
+    def kept(self) -> SimulatorState:
+        """For `restore`, before anything else is shown."""
+        return SimulatorState(
+            profile=self._profile,
+            shown_s=self._shown_s,
+            raw_shown_s=self._raw_shown_s,
+            datagrams=self.datagrams,
+            bytes_in=self.bytes_in,
+            gatherer=self._gatherer.kept(),
+            profile_judge=self._profile_judge.kept(),
+            pace_judge=self._pace_judge.kept(),
+            rows={row: one.kept() for row, one in self._rows.items()},
+            motion=self.motion.state,
+        )
 
-    def restore(self, state: Mapping[str, Any]) -> None:
+    def restore(self, state: SimulatorState) -> None:
         """Go on from a state that `kept` gave."""
-        self.begin(state["profile"])
-        self._shown_s = state["shown_s"]
-        self._raw_shown_s = state["raw_shown_s"]
-        self.datagrams = state["datagrams"]
-        self.bytes_in = state["bytes_in"]
-        self._gatherer.restore(state["gatherer"])
-        self._profile_judge.restore(state["profile_judge"])
-        self._pace_judge.restore(state["pace_judge"])
-        for row, count, times_s, values in state["rows"]:
+        self.begin(state.profile)
+        self.shown(state.shown_s, state.raw_shown_s)
+        self.datagrams = state.datagrams
+        self.bytes_in = state.bytes_in
+        self._gatherer.restore(state.gatherer)
+        self._profile_judge.restore(state.profile_judge)
+        self._pace_judge.restore(state.pace_judge)
+        for row, (count, times_s, values) in state.rows.items():
             self._rows[row] = Arrivals.restored(count, times_s, tuple(values))
-        self.motion.restore(state["motion"])
+        self.motion.state = state.motion
+
+    @property
+    def raw_shown_s(self) -> float:
+        """When the raw rows were last shown."""
+        return self._raw_shown_s
+
+    def shown(self, shown_s: float, raw_shown_s: float) -> None:
+        """Samples and raw rows were shown at these Unix times, by whoever reads many datagrams at once."""
+        self._shown_s, self._raw_shown_s = shown_s, raw_shown_s
 
     def _begin_judging(self) -> None:
         self._profile_judge, self._pace_judge = ProfileJudge(), PaceJudge()
@@ -203,7 +227,7 @@ class SimulatorSamples:
         return {row: one.values for row, one in self._rows.items() if (one.last_s or 0.0) >= oldest_s}
 
 
-_NO_VALUES: Final[dict[str, Any]] = {
+_NO_VALUES: Final[dict[str, None]] = {
     name: None
     for row in XPLANE_ROWS["xp10"].values()
     for name in row_meaning(row.id, cast(Eight, (0.0,) * 8), "xp10").values

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Meaning, meaning
 from epf_gcs.contract import answers, status
-from epf_gcs.vehicle.health import ANSWERS, TASK_OF_TOPIC, TopicHealth
+from epf_gcs.vehicle.health import ANSWERS, TASK_OF_TOPIC, KeptHealth, TopicHealth
 from epf_gcs.vehicle.outside import Clock, Outlet, Values
 
 _TASK_TOPICS: Final = frozenset(TASK_OF_TOPIC)
@@ -24,6 +24,13 @@ class Sample(NamedTuple):
 
     t_s: float
     values: Values
+
+
+class TelemetryState(NamedTuple):
+    """The newest sample of each topic, and how well it arrives (as `TopicHealth.kept` gives it)."""
+
+    newest: dict[str, Sample]
+    health: dict[str, KeptHealth]
 
 
 class Telemetry:
@@ -171,19 +178,16 @@ class Telemetry:
         now_s = self._clock.now_s()
         return {topic: self._summary(topic, health, now_s) for topic, health in self.health.items()}
 
-    def kept(self) -> dict[str, Any]:
-        """The newest samples and how well they arrive, as plain values for `restore`."""
+    def kept(self) -> TelemetryState:
+        """For `restore`."""
         self.catch_up()
-        return {
-            "newest": [[topic, sample.t_s, sample.values] for topic, sample in self._newest.items()],
-            "health": [[topic, *health.kept()] for topic, health in self._health.items()],
-        }
+        return TelemetryState(dict(self._newest), {topic: health.kept() for topic, health in self._health.items()})
 
-    def restore(self, kept: Mapping[str, Any]) -> None:
+    def restore(self, kept: TelemetryState) -> None:
         """Go on from a state that `kept` gave; nothing is sent."""
         self._waiting.clear()
-        self._newest = {topic: Sample(t_s, values) for topic, t_s, values in kept["newest"]}
-        self._health = {topic: TopicHealth.restored(*health) for topic, *health in kept["health"]}
+        self._newest = dict(kept.newest)
+        self._health = {topic: TopicHealth.restored(*health) for topic, health in kept.health.items()}
 
     def _summary(self, topic: str, health: TopicHealth, now_s: float) -> status.TopicHealth:
         return status.TopicHealth(

@@ -5,39 +5,53 @@ It is told the time and does no I/O, so that any number can be made: the live on
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable
+from typing import NamedTuple
 
 from epf_gcs.contract.answers import Sample
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
-from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.board import Board, BoardState
 from epf_gcs.vehicle.outside import Clock, Outlet
 from epf_gcs.vehicle.simulator_motion import Jump
-from epf_gcs.vehicle.simulator_samples import SIMULATOR_TOPICS, SimulatorSamples
-from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.simulator_samples import SIMULATOR_TOPICS, SimulatorSamples, SimulatorState
+from epf_gcs.vehicle.telemetry import Telemetry, TelemetryState
+
+
+class VehicleState(NamedTuple):
+    """All that what comes next depends on: a key frame of a recording."""
+
+    telemetry: TelemetryState
+    board: BoardState
+    simulator: SimulatorState
 
 
 class Vehicle:
     """`board` takes bytes and lines, `simulator` datagrams, `telemetry` has the newest samples.
 
-    `commanded_period_s` tells a task's period.
+    `commanded_period_s` tells a task's period. Without `tells_jumps` somebody else tells of the simulator's jumps.
     """
 
     def __init__(
-        self, clock: Clock, outlet: Outlet, errors: ErrorLog, commanded_period_s: Callable[[str], float]
+        self,
+        clock: Clock,
+        outlet: Outlet,
+        errors: ErrorLog,
+        commanded_period_s: Callable[[str], float],
+        *,
+        tells_jumps: bool = True,
     ) -> None:
         self.clock = clock
         self.telemetry = Telemetry(outlet, clock, commanded_period_s)
         self.board = Board(clock, outlet, self.telemetry, errors)
-        self.simulator = SimulatorSamples(self.telemetry)
-        self.simulator.motion.on_jump = self._tell_jump
+        self.simulator = SimulatorSamples(self.telemetry, self._tell_jump)
         self._outlet = outlet
+        self._tells_jumps = tells_jumps
         self.ahrs_test = AhrsTestSamples(self.telemetry, clock)
 
     def _tell_jump(self, jump: Jump) -> None:
         """Example values jump when they begin again: of those nothing is told."""
-        if not self.board.is_emulated:
+        if self._tells_jumps and not self.board.is_emulated:
             self._outlet.event(jump.as_event())
 
     def newest(self) -> dict[str, Sample]:
@@ -45,12 +59,12 @@ class Vehicle:
         is_paused = self.simulator.motion.is_paused(self.clock.now_s())
         return self.telemetry.snapshot(SIMULATOR_TOPICS if is_paused else frozenset())
 
-    def kept(self) -> dict[str, Any]:
-        """All that what comes next depends on, as plain values for `restore`: a key frame of a recording."""
-        return {"telemetry": self.telemetry.kept(), "board": self.board.kept(), "simulator": self.simulator.kept()}
+    def kept(self) -> VehicleState:
+        """For `restore`, before anything else comes."""
+        return VehicleState(self.telemetry.kept(), self.board.kept(), self.simulator.kept())
 
-    def restore(self, kept: Mapping[str, Any]) -> None:
+    def restore(self, kept: VehicleState) -> None:
         """Go on from a state that `kept` gave, with the same line attached; nothing is sent."""
-        self.telemetry.restore(kept["telemetry"])
-        self.board.restore(kept["board"])
-        self.simulator.restore(kept["simulator"])
+        self.telemetry.restore(kept.telemetry)
+        self.board.restore(kept.board)
+        self.simulator.restore(kept.simulator)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.flight_figures import FlightFigures
@@ -22,6 +22,18 @@ from epf_gcs.vehicle.judges import (
 )
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.telemetry import Telemetry
+
+
+class WatchState(NamedTuple):
+    """What each rule remembers, as its `kept` gives it."""
+
+    battery: list[Any]
+    receiver: list[Any]
+    limits: dict[str, list[Any]]
+    flight: list[Any]
+    cpu: list[Any]
+    gps: list[Any]
+    damage: list[Any]
 
 
 class VehicleWatch:
@@ -99,28 +111,28 @@ class VehicleWatch:
         """No board is wanted: forget that there was a position."""
         self._gps.forget()
 
-    def kept(self) -> dict[str, Any]:
-        """What the rules remember, as plain values for `restore`."""
-        return {
-            "battery": self.battery.kept(),
-            "receiver": self._receiver.kept(),
-            "limits": {name: judge.kept() for name, judge in self._limits.items()},
-            "flight": self._flight.kept(),
-            "cpu": self._cpu.kept(),
-            "gps": self._gps.kept(),
-            "damage": self._damage.kept(),
-        }
+    def kept(self) -> WatchState:
+        """For `restore`."""
+        return WatchState(
+            battery=self.battery.kept(),
+            receiver=self._receiver.kept(),
+            limits={name: judge.kept() for name, judge in self._limits.items()},
+            flight=self._flight.kept(),
+            cpu=self._cpu.kept(),
+            gps=self._gps.kept(),
+            damage=self._damage.kept(),
+        )
 
-    def restore(self, kept: Mapping[str, Any]) -> None:
+    def restore(self, kept: WatchState) -> None:
         """Go on from what `kept` gave."""
-        self.battery.restore(kept["battery"])
-        self._receiver.restore(kept["receiver"])
+        self.battery.restore(kept.battery)
+        self._receiver.restore(kept.receiver)
         for name, judge in self._limits.items():
-            judge.restore(kept["limits"][name])
-        self._flight.restore(kept["flight"])
-        self._cpu.restore(kept["cpu"])
-        self._gps.restore(kept["gps"])
-        self._damage.restore(kept["damage"])
+            judge.restore(kept.limits[name])
+        self._flight.restore(kept.flight)
+        self._cpu.restore(kept.cpu)
+        self._gps.restore(kept.gps)
+        self._damage.restore(kept.damage)
 
     def _look_at_limits(self, now_s: float, limits: Mapping[str, float]) -> list[Finding | None]:
         values = self._flight.of(self._live("analog"), self._live("gps"), limits["airspeed_low_kt"])

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import threading
 import time
-from typing import Any, BinaryIO, Final, cast
+from typing import BinaryIO, Final, cast
 
 from epf_gcs.workers.pipe import receive, send
 
@@ -31,8 +31,8 @@ class AskedProcess:
         """Whether the process was started and is alive."""
         return self._process is not None and self._process.poll() is None
 
-    def ask(self, asked: dict[str, Any], longest_s: float) -> tuple[dict[str, Any], bytes] | None:
-        """The answer; None if the process died of the request."""
+    def ask(self, asked: object, longest_s: float) -> tuple[bytes, bytes] | None:
+        """The answer, its head as JSON; None if the process died of the request."""
         process = self._process
         if process is None or process.poll() is not None:
             self.end()

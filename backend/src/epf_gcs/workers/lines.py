@@ -8,14 +8,37 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar
 
+import msgspec
 import orjson
 
-from epf_gcs.errors import GatewayError
+from epf_gcs.errors import ErrorCode, GatewayError
 
 if TYPE_CHECKING:
     import asyncio
+
+
+class ToldFault(msgspec.Struct):
+    """Why a work failed, as `GatewayError.as_dict` has it."""
+
+    code: ErrorCode
+    detail: str
+    params: dict[str, str | int | float | bool | None]
+
+    @staticmethod
+    def of(error: GatewayError) -> ToldFault:
+        """Of an error."""
+        return ToldFault(error.code, error.detail, dict(error.params))
+
+
+class WorkerLine(msgspec.Struct):
+    """What every line may be; each kind of work adds what it tells."""
+
+    fault: ToldFault | None = None
+
+
+L = TypeVar("L", bound=WorkerLine)
 
 
 def tell(message: Mapping[str, object]) -> None:
@@ -31,17 +54,17 @@ def tell_fault(fault: GatewayError) -> None:
 
 async def hear_lines(
     process: asyncio.subprocess.Process,
-    hear: Callable[[dict[str, Any]], None],
-    kind: type[GatewayError] = GatewayError,
+    line: type[L],
+    hear: Callable[[L], None],
+    error: type[GatewayError] = GatewayError,
 ) -> GatewayError | None:
     """Give each line to `hear` until the program closes its output; the fault that it told, if it told one."""
     fault = None
     if process.stdout is not None:
-        async for line in process.stdout:
-            message = orjson.loads(line)
-            if "fault" in message:
-                told = message["fault"]
-                fault = kind(told["code"], told["detail"], **told["params"])
-            else:
+        async for text in process.stdout:
+            message = msgspec.json.decode(text, type=line)
+            if message.fault is None:
                 hear(message)
+            else:
+                fault = error(message.fault.code, message.fault.detail, **message.fault.params)
     return fault

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import struct
-from typing import Any, BinaryIO, Final
+from typing import BinaryIO, Final
 
-import orjson
+import msgspec
+
+from epf_gcs.workers.lines import ToldFault
 
 MOST_HEAD_BYTES: Final = 40_000_000
 MOST_DATA_BYTES: Final = 16_000_000
@@ -13,16 +15,22 @@ MOST_DATA_BYTES: Final = 16_000_000
 _LENGTHS: Final = struct.Struct("<II")
 
 
-def send(pipe: BinaryIO, head: dict[str, Any], data: bytes = b"") -> None:
+class ReplyHead(msgspec.Struct, omit_defaults=True):
+    """What every answer's head may say; each worker adds what it answers. The greeting is an empty one."""
+
+    fault: ToldFault | None = None
+
+
+def send(pipe: BinaryIO, head: object, data: bytes = b"") -> None:
     """Send a message. Raises OSError or ValueError if the other end is closed."""
-    packed = orjson.dumps(head)
+    packed = msgspec.json.encode(head)
     pipe.write(_LENGTHS.pack(len(packed), len(data)) + packed)
     pipe.write(data)
     pipe.flush()
 
 
-def receive(pipe: BinaryIO) -> tuple[dict[str, Any], bytes] | None:
-    """Receive a message; None if the other end is closed, or if this is no valid message. Raises OSError."""
+def receive(pipe: BinaryIO) -> tuple[bytes, bytes] | None:
+    """Receive a message, its head as JSON; None if the other end is closed, or if it is no message. Raises OSError."""
     lengths = pipe.read(_LENGTHS.size)
     if len(lengths) < _LENGTHS.size:
         return None
@@ -32,5 +40,4 @@ def receive(pipe: BinaryIO) -> tuple[dict[str, Any], bytes] | None:
     packed, data = pipe.read(head_bytes), pipe.read(data_bytes)
     if len(packed) < head_bytes or len(data) < data_bytes:
         return None
-    head = orjson.loads(packed)
-    return (head, data) if isinstance(head, dict) else None
+    return packed, data

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
-from typing import Any, Final
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final
 
 from epf_gcs.xplane.datagram import Record
 from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW, XplaneInfo, info_from_rows, row_meaning
@@ -16,17 +17,22 @@ _RELEVANT: Final = NEEDED_ROWS | {TRACK_ROW}
 _DESCENTS_BEFORE_DOUBT: Final = 12
 _PAUSE_DECAY: Final = 0.999  # per datagram, so that one long stall on our side does not choose the leader for ever
 
-_PLAIN: Final = (
-    "incomplete_frames",
-    "_started_s",
-    "_last_row",
-    "_sent",
-    "_track_expected",
-    "_descents",
-    "_leader",
-    "_longest_pause_s",
-    "_heard_s",
-)
+
+@dataclass(frozen=True, slots=True)
+class GathererState:
+    """All that the next datagrams are read by; times in s. `rows`: the values of the frame so far, by row."""
+
+    incomplete_frames: int
+    started_s: float
+    last_row: int
+    sent: bool
+    track_expected: bool
+    descents: int
+    leader: int
+    longest_pause_s: float
+    heard_s: float
+    rows: dict[int, dict[str, float | None]]
+    implausible: dict[str, int]
 
 
 class Gatherer:
@@ -77,19 +83,35 @@ class Gatherer:
                 self._descents = 0
         return info
 
-    def kept(self) -> dict[str, Any]:
-        """All that the next datagrams are read by, as plain values for `restore`."""
-        return {name: getattr(self, name) for name in _PLAIN} | {
-            "_rows": [[row, values] for row, values in self._rows.items()],
-            "implausible": dict(self.implausible),
-        }
+    def kept(self) -> GathererState:
+        """For `restore`."""
+        return GathererState(
+            self.incomplete_frames,
+            self._started_s,
+            self._last_row,
+            self._sent,
+            self._track_expected,
+            self._descents,
+            self._leader,
+            self._longest_pause_s,
+            self._heard_s,
+            dict(self._rows),
+            dict(self.implausible),
+        )
 
-    def restore(self, state: Mapping[str, Any]) -> None:
+    def restore(self, state: GathererState) -> None:
         """Go on from a state that `kept` gave."""
-        for name in _PLAIN:
-            setattr(self, name, state[name])
-        self._rows = {row: dict(values) for row, values in state["_rows"]}
-        self.implausible = Counter(state["implausible"])
+        self.incomplete_frames = state.incomplete_frames
+        self._started_s = state.started_s
+        self._last_row = state.last_row
+        self._sent = state.sent
+        self._track_expected = state.track_expected
+        self._descents = state.descents
+        self._leader = state.leader
+        self._longest_pause_s = state.longest_pause_s
+        self._heard_s = state.heard_s
+        self._rows = {row: dict(values) for row, values in state.rows.items()}
+        self.implausible = Counter(state.implausible)
 
     def _take_row(self, record: Record) -> None:
         meaning = row_meaning(record.row, record.values, self.profile)

@@ -7,8 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
+from epf_gcs.contract.report import ReportManoeuvre
 from epf_gcs.flights.report.found import manoeuvres
 from tests.flights.test_events import MadeFlight
 
@@ -160,19 +162,24 @@ def _gusts(rng: np.random.Generator, count: int) -> Array:
     return found
 
 
-def matches(found: list[dict[str, Any]], truths: list[Truth]) -> list[tuple[Truth, dict[str, Any]]]:
+def near(value: float, **tolerance: Any) -> Any:
+    """`pytest.approx` for a field whose type is a number."""
+    return pytest.approx(value, **tolerance)
+
+
+def matches(found: list[ReportManoeuvre], truths: list[Truth]) -> list[tuple[Truth, ReportManoeuvre]]:
     """What was found rightly: of the same kind, within a second."""
     left = list(found)
     pairs = []
     for truth in truths:
-        one = next((o for o in left if o["kind"] == truth.kind and abs(o["at_s"] - truth.at_s) <= 1.0), None)
+        one = next((o for o in left if o.kind == truth.kind and abs(o.at_s - truth.at_s) <= 1.0), None)
         if one is not None:
             left.remove(one)
             pairs.append((truth, one))
     return pairs
 
 
-Flown = tuple[Made, list[dict[str, Any]]]
+Flown = tuple[Made, list[ReportManoeuvre]]
 """A flight with the steps that were found in it."""
 
 WITHIN: Final = 0.05
@@ -182,7 +189,7 @@ WITHIN: Final = 0.05
 def fly(count: int) -> list[Flown]:
     """Flights of one step in each loop, and what the report finds in them."""
     every = [make(seed, steps=1) for seed in range(count)]
-    return [(made, [one for one in manoeuvres(made.flight)[0] if one["kind"] != "leg"]) for made in every]
+    return [(made, [one for one in manoeuvres(made.flight)[0] if one.kind != "leg"]) for made in every]
 
 
 def f1_of(flown: Sequence[Flown]) -> float:
@@ -198,11 +205,15 @@ def worst_errors(flown: Sequence[Flown]) -> dict[str, float]:
     worst: dict[str, float] = {}
     for made, found in flown:
         for truth, one in matches(found, made.truths):
+            assert one.rise_s is not None
+            assert one.overshoot_percent is not None
+            assert one.damping is not None
+            assert one.steady_error is not None
             errors = {
-                "rise_s": one["rise_s"] / truth.rise_s - 1.0,
-                "overshoot": (one["overshoot_percent"] - truth.overshoot_percent) / 100.0,
-                "damping": one["damping"] / truth.damping - 1.0,
-                "steady_error": (one["steady_error"] - truth.steady_error) / truth.size,
+                "rise_s": one.rise_s / truth.rise_s - 1.0,
+                "overshoot": (one.overshoot_percent - truth.overshoot_percent) / 100.0,
+                "damping": one.damping / truth.damping - 1.0,
+                "steady_error": (one.steady_error - truth.steady_error) / truth.size,
             }
             worst = {name: max(worst.get(name, 0.0), abs(error)) for name, error in errors.items()}
     return worst

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from epf_gcs.flights.report.found import manoeuvres
-from tests.flights.report.made import WITHIN, Flown, f1_of, fly, make, matches, worst_errors
+from tests.flights.report.made import WITHIN, Flown, f1_of, fly, make, matches, near, worst_errors
 from tests.flights.test_events import MadeFlight
 
 # Of the fifty that `make bench` flies: each takes a third of a second.
@@ -40,7 +40,7 @@ def test_in_gusts_with_dead_time_and_limits_each_figure_says_how_far_it_may_be_o
     given, count = Counter[str](), 0
     for seed in range(700, 720):
         made = make(seed, steps=1, hard=True)
-        found = [one for one in manoeuvres(made.flight)[0] if one["kind"] != "leg"]
+        found = [one for one in manoeuvres(made.flight)[0] if one.kind != "leg"]
         pairs = matches(found, made.truths)
         assert len(pairs) == len(made.truths) == len(found)
         for truth, one in pairs:
@@ -51,11 +51,11 @@ def test_in_gusts_with_dead_time_and_limits_each_figure_says_how_far_it_may_be_o
                 ("overshoot_percent", truth.overshoot_percent, "overshoot_doubt_percent", 100.0),
                 ("steady_error", truth.steady_error, "steady_doubt", truth.size),
             ):
-                if one[name] is not None:
+                if getattr(one, name) is not None:
                     given[name] += 1
-                    off = abs(one[name] - true)
-                    held.setdefault(name, []).append(off <= one[doubt] + 0.002 * abs(whole))
-                    if one[doubt] <= WITHIN * abs(whole):
+                    off = abs(getattr(one, name) - true)
+                    held.setdefault(name, []).append(off <= getattr(one, doubt) + 0.002 * abs(whole))
+                    if getattr(one, doubt) <= WITHIN * abs(whole):
                         sure.setdefault(name, []).append(off <= WITHIN * abs(whole))
     print({name: (given[name], sum(right), len(sure[name]), sum(sure[name])) for name, right in held.items()})
     # 95 of 100 in the long run: of some twenty two may miss.
@@ -89,8 +89,8 @@ def test_switching_the_autopilot_on_away_from_its_target_is_a_manoeuvre() -> Non
     climbed = next(one for one in made.truths if one.kind in ("climb", "descent"))
     t_s = made.flight.samples("heartbeat", "autopilot_hil").t_s
     made.flight.replace("heartbeat", t_s, {"autopilot_hil": t_s > climbed.at_s + 0.3})
-    (one,) = (one for one in manoeuvres(made.flight)[0] if one["kind"] == climbed.kind)
-    assert (one["cause"], one["size"]) == ("engaged", pytest.approx(climbed.size, rel=0.1))
+    (one,) = (one for one in manoeuvres(made.flight)[0] if one.kind == climbed.kind)
+    assert (one.cause, one.size) == ("engaged", near(climbed.size, rel=0.1))
 
 
 def test_a_gap_in_the_samples_ends_a_manoeuvre() -> None:
@@ -103,9 +103,9 @@ def test_a_gap_in_the_samples_ends_a_manoeuvre() -> None:
         for name in ("altitude_indicated_ft", "horizontal_path_deg", "indicated_airspeed_kt")
     }
     made.flight.replace("simulator", t_s[kept], fields)
-    (one,) = (one for one in manoeuvres(made.flight)[0] if one["kind"] == slowed.kind)
-    assert one["until_s"] == pytest.approx(slowed.at_s + 1.0, abs=0.1)
-    assert one["settling_s"] is None
+    (one,) = (one for one in manoeuvres(made.flight)[0] if one.kind == slowed.kind)
+    assert one.until_s == near(slowed.at_s + 1.0, abs=0.1)
+    assert one.settling_s is None
 
 
 def test_a_heading_through_north_is_the_short_way_round() -> None:
@@ -115,6 +115,6 @@ def test_a_heading_through_north_is_the_short_way_round() -> None:
         values[:] = (values - 40.0 - 5.0) % 360.0
         assert t_s[0] >= 0.0
     (truth,) = (one for one in made.truths if one.kind.startswith("turn"))
-    (one,) = (one for one in manoeuvres(made.flight)[0] if one["kind"].startswith("turn"))
-    assert (one["kind"], one["size"]) == (truth.kind, pytest.approx(truth.size, rel=0.01))
-    assert one["damping"] == pytest.approx(truth.damping, rel=0.03)
+    (one,) = (one for one in manoeuvres(made.flight)[0] if one.kind.startswith("turn"))
+    assert (one.kind, one.size) == (truth.kind, near(truth.size, rel=0.01))
+    assert one.damping == near(truth.damping, rel=0.03)

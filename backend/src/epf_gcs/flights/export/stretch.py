@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-import orjson
 import pyarrow as pa
 import pyarrow.parquet as pq
 
 from epf_gcs.flights.columns import KEYFRAMES
 from epf_gcs.flights.export.asked import ExportRequest, Progress, unknown_topic
 from epf_gcs.flights.indexed import not_indexed
+from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.places import SUMMARY, Places
 
 ROWS: Final = 8192
@@ -28,11 +28,11 @@ class Stretch:
         try:
             if folder is None:
                 raise FileNotFoundError
-            summary: dict[str, Any] = orjson.loads((folder / SUMMARY).read_bytes())
+            summary = FlightSummary.from_json((folder / SUMMARY).read_bytes())
         except (FileNotFoundError, ValueError) as error:
             raise not_indexed(asked.flight) from error
         self.folder = folder
-        self.start_ns = int(summary["started_ns"])
+        self.start_ns = summary.started_ns
         self.is_whole = asked.is_whole
         self._first_ns, self._last_ns = asked.span_ns(self.start_ns)
         self._progress = progress

@@ -9,7 +9,7 @@ import shutil
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs.flights.export.asked import ExportRequest, Progress, read_arguments
 from epf_gcs.flights.worker import Say
@@ -29,7 +29,7 @@ _MODULES: Final = {
 }
 
 
-def run(arguments: list[str], say: Say) -> dict[str, Any]:
+def run(arguments: list[str], say: Say) -> dict[str, int]:
     """Raises GatewayError, OSError."""
     asked, target = read_arguments(arguments)
     progress = Progress(say, target.parent, asked.name)

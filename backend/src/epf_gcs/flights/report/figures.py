@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
+from epf_gcs.contract.report import (
+    FlightReport,
+    NotKnown,
+    ReportAlarm,
+    ReportBattery,
+    ReportDistances,
+    ReportLink,
+    ReportMark,
+    ReportRoundTrip,
+    ReportTimes,
+)
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.manoeuvres import Series
 from epf_gcs.flights.report.sources import first_of, plan_signals, read
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
+from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.units import M_PER_FT
 from epf_gcs.vehicle.round_trip import RoundTrip
 
@@ -35,39 +48,38 @@ _ALTITUDE: Final = (
     ("analog", "altitude_m", 1 / M_PER_FT),
 )
 
-Figures = dict[str, Any]
 Pauses = list[tuple[int, int]]
 # Later than any flight ends.
 _END_NS: Final = 2**63 - 1
 
 
-def times(flight: FlightData) -> Figures:
+def times(flight: FlightData) -> ReportTimes:
     """Durations in s; `airborne_s` counts the time faster than 20 kt, `autopilot_s` that with an autopilot on."""
     speed = first_of(flight, _SPEED)
-    return {
-        "started_s": flight.start_ns * _NS,
-        "duration_s": max(0.0, (flight.end_ns - flight.start_ns) * _NS),
-        "airborne_s": _longer_than(speed, _AIRBORNE_KT),
-        "autopilot_s": sum(to_s - from_s for from_s, to_s in _autopilot(flight)),
-    }
+    return ReportTimes(
+        started_s=flight.start_ns * _NS,
+        duration_s=max(0.0, (flight.end_ns - flight.start_ns) * _NS),
+        airborne_s=_longer_than(speed, _AIRBORNE_KT),
+        autopilot_s=sum(to_s - from_s for from_s, to_s in _autopilot(flight)),
+    )
 
 
-def distances(flight: FlightData, summary: Figures) -> Figures:
+def distances(flight: FlightData, summary: FlightSummary) -> ReportDistances:
     """Way over the ground, altitudes and speeds; the first three are the library's."""
     altitude = first_of(flight, _ALTITUDE)
     lowest = float(np.min(altitude.values)) if len(altitude.values) else None
     climb, sink = _steepest(altitude)
-    return {
-        "distance_nm": summary.get("distance_nm"),
-        "highest_ft": summary.get("highest_ft"),
-        "fastest_kt": summary.get("fastest_kt"),
-        "lowest_ft": lowest,
-        "climb_most_ft_min": climb,
-        "sink_most_ft_min": sink,
-    }
+    return ReportDistances(
+        distance_nm=summary.distance_nm,
+        highest_ft=summary.highest_ft,
+        lowest_ft=lowest,
+        fastest_kt=summary.fastest_kt,
+        climb_most_ft_min=climb,
+        sink_most_ft_min=sink,
+    )
 
 
-def battery(flight: FlightData) -> Figures | None:
+def battery(flight: FlightData) -> ReportBattery | None:
     """Volts at the beginning and the end (mean of 10 s each) and the lowest; None where no battery was measured."""
     volts = read(flight, "analog", "battery_V")
     if not len(volts.t_s) or float(np.max(volts.values)) <= 0.5:
@@ -75,40 +87,40 @@ def battery(flight: FlightData) -> Figures | None:
     first, last = float(volts.t_s[0]), float(volts.t_s[-1])
     begin, end = volts.part(first, first + 10.0), volts.part(last - 10.0, last + 1.0)
     begin_v, end_v = float(np.mean(begin.values)), float(np.mean(end.values))
-    return {
-        "begin_v": begin_v,
-        "end_v": end_v,
-        "lowest_v": float(np.min(volts.values)),
-        "drop_v_per_hour": (begin_v - end_v) / (last - first) * 3600.0 if last - first > 60.0 else None,
-    }
+    return ReportBattery(
+        begin_v=begin_v,
+        end_v=end_v,
+        lowest_v=float(np.min(volts.values)),
+        drop_v_per_hour=(begin_v - end_v) / (last - first) * 3600.0 if last - first > 60.0 else None,
+    )
 
 
-def link(summary: Figures, asked_ns: Array, answered_ns: Array, pauses: Pauses) -> Figures:
+def link(summary: FlightSummary, asked_ns: Array, answered_ns: Array, pauses: Pauses) -> ReportLink:
     """Frames, damage, silences and the HIL round trip in ms from the times (Unix ns) of both kinds of frame."""
-    frames, damaged = summary.get("frames"), summary.get("frames_damaged")
-    gaps_s = [(gap[1] - gap[0]) * _NS for gap in summary.get("gaps") or []]
+    frames, damaged = summary.frames, summary.frames_damaged
+    gaps_s = [(end_ns - begin_ns) * _NS for begin_ns, end_ns in summary.gaps]
     total = (frames or 0) + (damaged or 0)
-    return {
-        "frames": frames,
-        "frames_damaged": damaged,
-        "damaged_percent": 100.0 * (damaged or 0) / total if total else None,
-        "gaps": len(gaps_s),
-        "gaps_s": sum(gaps_s),
-        "longest_gap_s": max(gaps_s, default=None),
-        "round_trip_ms": round_trip(asked_ns, answered_ns, pauses),
-    }
+    return ReportLink(
+        frames=frames,
+        frames_damaged=damaged,
+        damaged_percent=100.0 * (damaged or 0) / total if total else None,
+        gaps=len(gaps_s),
+        gaps_s=sum(gaps_s),
+        longest_gap_s=max(gaps_s, default=None),
+        round_trip_ms=round_trip(asked_ns, answered_ns, pauses),
+    )
 
 
 def pauses(events: list[Event]) -> Pauses:
     """From and to (Unix ns) of the stretches in which the simulator was paused."""
     return [
-        (event["t_ns"], _END_NS if event["until_ns"] is None else event["until_ns"])
+        (event.t_ns, _END_NS if event.until_ns is None else event.until_ns)
         for event in events
-        if event["kind"] == "alarm" and event["name"] == "simulator_paused"
+        if event.kind == "alarm" and event.name == "simulator_paused"
     ]
 
 
-def round_trip(asked_ns: Array, answered_ns: Array, pauses: Pauses) -> Figures | None:
+def round_trip(asked_ns: Array, answered_ns: Array, pauses: Pauses) -> ReportRoundTrip | None:
     """Median and extremes of what the station measured live, from the same pairing; None without answers."""
     trips = RoundTrip()
     found: list[float] = []
@@ -126,67 +138,60 @@ def round_trip(asked_ns: Array, answered_ns: Array, pauses: Pauses) -> Figures |
             trips.asked(float(moments[place]) * _NS)
     if not found:
         return None
-    return {
-        "count": len(found),
-        "median": float(np.median(found)),
-        "p99": float(np.percentile(found, 99)),
-        "longest": max(found),
-    }
+    return ReportRoundTrip(
+        count=len(found),
+        median=float(np.median(found)),
+        p99=float(np.percentile(found, 99)),
+        longest=max(found),
+    )
 
 
-def alarms(events: list[Event], start_ns: int) -> list[Figures]:
+def alarms(events: list[Event], start_ns: int) -> list[ReportAlarm]:
     """What sounded, each kind once, in the order in which it sounded first: how often, and for how long together.
 
     `lasted_s` is None where the recording ended before it did.
     """
-    found: dict[str, Figures] = {}
+    found: dict[str, ReportAlarm] = {}
     for event in events:
-        if event["kind"] != "alarm":
+        if event.kind != "alarm":
             continue
-        level, until_ns = event["data"].get("level"), event["until_ns"]
-        lasted_s = None if until_ns is None else (until_ns - event["t_ns"]) * _NS
-        one = found.setdefault(
-            event["name"],
-            {
-                "name": event["name"],
-                "level": None,
-                "at_s": (event["t_ns"] - start_ns) * _NS,
-                "lasted_s": 0.0,
-                "count": 0,
-            },
+        level, until_ns = event.data.get("level"), event.until_ns
+        lasted_s = None if until_ns is None else (until_ns - event.t_ns) * _NS
+        one = found.get(event.name) or ReportAlarm(event.name, None, (event.t_ns - start_ns) * _NS, 0.0, 0)
+        found[event.name] = replace(
+            one,
+            level=level if isinstance(level, str) and one.level != "critical" else one.level,
+            lasted_s=None if lasted_s is None or one.lasted_s is None else one.lasted_s + lasted_s,
+            count=one.count + 1,
         )
-        one["count"] += 1
-        if isinstance(level, str) and one["level"] != "critical":
-            one["level"] = level
-        one["lasted_s"] = None if lasted_s is None or one["lasted_s"] is None else one["lasted_s"] + lasted_s
     return list(found.values())
 
 
-def marks(events: list[Event], start_ns: int) -> list[Figures]:
+def marks(events: list[Event], start_ns: int) -> list[ReportMark]:
     """The words that were set as marks in flight."""
     return [
-        {"at_s": (event["t_ns"] - start_ns) * _NS, "text": str(event["data"].get("text", ""))}
+        ReportMark((event.t_ns - start_ns) * _NS, str(event.data.get("text", "")))
         for event in events
-        if event["kind"] == "mark"
+        if event.kind == "mark"
     ]
 
 
-def unknown(report: Figures, flight: FlightData, summary: Figures) -> list[str]:
+def unknown(report: FlightReport, flight: FlightData, summary: FlightSummary) -> list[NotKnown]:
     """What this report cannot know, as stable words."""
-    found = ["wind"]
-    if report["battery"] is None:
+    found: list[NotKnown] = ["wind"]
+    if report.battery is None:
         found.append("battery")
-    if report["link"]["round_trip_ms"] is None:
+    if report.link.round_trip_ms is None:
         found.append("round_trip")
-    if report["distances"]["distance_nm"] is None:
+    if report.distances.distance_nm is None:
         found.append("position")
-    if report["times"]["airborne_s"] is None:
+    if report.times.airborne_s is None:
         found.append("speed")
     if not any(note.name == notes.PARAMETERS for note in flight.notes()):
         found.append("gains")
-    if summary.get("gaps"):
+    if summary.gaps:
         found.append("gaps")
-    if summary.get("damage") or not summary.get("is_whole", True):
+    if summary.damage or not summary.is_whole:
         found.append("file")
     if any(note.name == notes.LOST for note in flight.notes()):
         found.append("lost")

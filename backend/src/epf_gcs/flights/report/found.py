@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
+from epf_gcs.contract.report import NoManoeuvres, ReportLeg, ReportManoeuvre, ReportTrace
 from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.manoeuvres import Leg, Loop, Series, Step, answer_of, find_legs, find_steps, wrapped
@@ -20,16 +21,14 @@ _BEFORE_S: Final = 3.0
 # The bearing is of no use beside the waypoint.
 _NEAR_M: Final = 60.0
 
-Found = dict[str, Any]
 
-
-def manoeuvres(flight: FlightData) -> tuple[list[Found], str | None]:
+def manoeuvres(flight: FlightData) -> tuple[list[ReportManoeuvre], NoManoeuvres | None]:
     """All manoeuvres in order of time, and if they are missing why: `no_targets`, `autopilot_off` or `no_changes`.
 
     Raises OSError.
     """
-    found: list[Found] = []
-    reason = "no_targets"
+    found: list[ReportManoeuvre] = []
+    reason: NoManoeuvres = "no_targets"
     for plan in PLANS:
         signals = plan_signals(flight, plan)
         if not any(len(target.t_s) for target in signals.targets.values()):
@@ -45,7 +44,7 @@ def manoeuvres(flight: FlightData) -> tuple[list[Found], str | None]:
             found += [_answered(step, signals) for step in steps]
         place = places(flight, signals.plan)
         found += [_leg(leg, signals, place) for leg in find_legs(signals.waypoint, signals.flown)]
-    found.sort(key=lambda one: (one["at_s"], one["kind"]))
+    found.sort(key=lambda one: (one.at_s, one.kind))
     return found[:_MOST], None if found else reason
 
 
@@ -62,26 +61,26 @@ def loop_error(signals: PlanSignals, loop: Loop, from_s: float, to_s: float) -> 
     return float(np.sqrt(np.mean(every))) if len(every) else None
 
 
-def _answered(step: Step, signals: PlanSignals) -> Found:
+def _answered(step: Step, signals: PlanSignals) -> ReportManoeuvre:
     target, actual = signals.targets[step.loop], signals.actual[step.loop]
     answer = answer_of(step, target, actual)
     figures = respond(answer.t_s, answer.values, step.start, step.target)
-    return {
-        "kind": step.kind,
-        "plan": signals.plan,
-        "cause": step.cause,
-        "at_s": step.at_s,
-        "until_s": step.until_s,
-        "unit": UNITS[step.loop],
-        "size": abs(step.target - step.start),
-        "start": step.start,
-        "target": step.target,
-        "waypoint": _waypoint(signals, step.at_s),
+    return ReportManoeuvre(
+        kind=step.kind,
+        plan=signals.plan,
+        cause=step.cause,
+        at_s=step.at_s,
+        until_s=step.until_s,
+        unit=UNITS[step.loop],
+        size=abs(step.target - step.start),
+        start=step.start,
+        target=step.target,
+        waypoint=_waypoint(signals, step.at_s),
         **figures._asdict(),
-        "leg": None,
-        "trace": _trace(step, target, actual),
-        "earlier": None,
-    }
+        leg=None,
+        trace=_trace(step, target, actual),
+        earlier=None,
+    )
 
 
 def _waypoint(signals: PlanSignals, at_s: float) -> int | None:
@@ -89,7 +88,7 @@ def _waypoint(signals: PlanSignals, at_s: float) -> int | None:
     return int(number) if np.isfinite(number) else None
 
 
-def _trace(step: Step, target: Series, actual: Series) -> Found:
+def _trace(step: Step, target: Series, actual: Series) -> ReportTrace:
     """What the small picture draws: from a little before the step to its end; times from the step on."""
     part = actual.part(step.at_s - _BEFORE_S, step.until_s)
     if len(part.t_s) > _TRACE:
@@ -103,41 +102,37 @@ def _trace(step: Step, target: Series, actual: Series) -> Found:
     else:
         after = part.t_s >= step.at_s
         wanted = np.where(after, step.target, wanted)
-    return {
-        "at_s": _rounded(part.t_s - step.at_s, 3),
-        "value": _rounded(values, 3),
-        "target": _rounded(wanted, 3),
-    }
+    return ReportTrace(_times(part.t_s - step.at_s), _rounded(values, 3), _rounded(wanted, 3))
 
 
-def _leg(leg: Leg, signals: PlanSignals, place: Place | None) -> Found:
+def _leg(leg: Leg, signals: PlanSignals, place: Place | None) -> ReportManoeuvre:
     """A leg has no step to answer: the course flown and how well the targets were held."""
     across = None if place is None else _across_m(leg, place, signals)
     flown_m = None if place is None else _flown_m(place, leg.at_s, leg.until_s)
     half_s = (leg.at_s + leg.until_s) / 2
-    return {
-        "kind": "leg",
-        "plan": signals.plan,
-        "cause": "waypoint",
-        "at_s": leg.at_s,
-        "until_s": leg.until_s,
-        "unit": "m",
-        "size": leg.until_s - leg.at_s,
-        "start": None,
-        "target": None,
-        "waypoint": leg.waypoint,
+    return ReportManoeuvre(
+        kind="leg",
+        plan=signals.plan,
+        cause="waypoint",
+        at_s=leg.at_s,
+        until_s=leg.until_s,
+        unit="m",
+        size=leg.until_s - leg.at_s,
+        start=None,
+        target=None,
+        waypoint=leg.waypoint,
         **respond(np.empty(0), np.empty(0), 0.0, 0.0)._asdict(),
-        "leg": {
-            "duration_s": leg.until_s - leg.at_s,
-            "distance_m": flown_m,
-            "across_rms_m": None if across is None else float(np.sqrt(np.mean(across.values**2))),
-            "across_most_m": None if across is None else float(np.max(np.abs(across.values))),
-            "altitude_error_ft": loop_error(signals, "altitude", half_s, leg.until_s),
-            "speed_error_kt": loop_error(signals, "speed", half_s, leg.until_s),
-        },
-        "trace": None if across is None else _across_trace(across, leg.at_s),
-        "earlier": None,
-    }
+        leg=ReportLeg(
+            duration_s=leg.until_s - leg.at_s,
+            distance_m=flown_m,
+            across_rms_m=None if across is None else float(np.sqrt(np.mean(across.values**2))),
+            across_most_m=None if across is None else float(np.max(np.abs(across.values))),
+            altitude_error_ft=loop_error(signals, "altitude", half_s, leg.until_s),
+            speed_error_kt=loop_error(signals, "speed", half_s, leg.until_s),
+        ),
+        trace=None if across is None else _across_trace(across, leg.at_s),
+        earlier=None,
+    )
 
 
 def _across_m(leg: Leg, place: Place, signals: PlanSignals) -> Series | None:
@@ -166,13 +161,13 @@ def _flown_m(place: Place, from_s: float, to_s: float) -> float | None:
     return float(np.hypot(np.diff(latitude) * M_PER_DEG, east_m).sum())
 
 
-def _across_trace(across: Series, at_s: float) -> Found:
+def _across_trace(across: Series, at_s: float) -> ReportTrace:
     chosen = np.unique(np.linspace(0, len(across.t_s) - 1, min(_TRACE, len(across.t_s))).astype(np.int64))
-    return {
-        "at_s": _rounded(across.t_s[chosen] - at_s, 3),
-        "value": _rounded(across.values[chosen], 2),
-        "target": [0.0] * len(chosen),
-    }
+    return ReportTrace(_times(across.t_s[chosen] - at_s), _rounded(across.values[chosen], 2), [0.0] * len(chosen))
+
+
+def _times(t_s: Array) -> list[float]:
+    return [round(one_s, 3) for one_s in t_s.tolist()]
 
 
 def _rounded(values: Array, digits: int) -> list[float | None]:

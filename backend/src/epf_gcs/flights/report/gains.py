@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
 from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.contract.report import ReportEffect, ReportGain, ReportManoeuvre
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.found import loop_error
 from epf_gcs.flights.report.manoeuvres import Loop
@@ -27,10 +28,17 @@ _TOGETHER_S: Final = 2.0
 # Less flight than this before or after a change tells nothing of its effect.
 _LEAST_S: Final = 10.0
 
-Values = dict[str, Any]
+
+class GainChange(NamedTuple):
+    """A gain that was changed at `at_s`, in seconds since the flight's start."""
+
+    name: str
+    at_s: float
+    before: float
+    after: float
 
 
-def gain_changes(flight: FlightData, manoeuvres: list[Values]) -> list[Values]:
+def gain_changes(flight: FlightData, manoeuvres: list[ReportManoeuvre]) -> list[ReportGain]:
     """Changes in order of time, with the loop before (since its last change) and after (until its next)."""
     changes = _changes(flight)
     end_s = (flight.end_ns - flight.start_ns) * 1e-9
@@ -38,39 +46,45 @@ def gain_changes(flight: FlightData, manoeuvres: list[Values]) -> list[Values]:
     flown = next((signals for signals in plans if signals.flown), plans[0])
     found = []
     for change in changes:
-        loop = _LOOPS.get(_GROUPS[change["name"]])
-        at_s = change["at_s"]
+        loop = _LOOPS.get(_GROUPS[change.name])
+        at_s = change.at_s
         others = [
-            other["at_s"]
+            other.at_s
             for other in changes
-            if _GROUPS[other["name"]] == _GROUPS[change["name"]] and abs(other["at_s"] - at_s) > _TOGETHER_S
+            if _GROUPS[other.name] == _GROUPS[change.name] and abs(other.at_s - at_s) > _TOGETHER_S
         ]
         from_s = max((other for other in others if other < at_s), default=0.0)
         to_s = min((other for other in others if other > at_s), default=end_s)
         found.append(
-            {
-                **change,
-                "loop": loop,
-                "earlier": None if loop is None else effect(loop, flown, manoeuvres, from_s, at_s),
-                "later": None if loop is None else effect(loop, flown, manoeuvres, at_s, to_s),
-            }
+            ReportGain(
+                *change,
+                loop=loop,
+                earlier=None if loop is None else effect(loop, flown, manoeuvres, from_s, at_s),
+                later=None if loop is None else effect(loop, flown, manoeuvres, at_s, to_s),
+            )
         )
     return found
 
 
-def effect(loop: Loop, flown: PlanSignals, manoeuvres: list[Values], from_s: float, to_s: float) -> Values:
+def effect(
+    loop: Loop, flown: PlanSignals, manoeuvres: list[ReportManoeuvre], from_s: float, to_s: float
+) -> ReportEffect:
     """How a loop flew in a stretch: medians of its manoeuvres that lie in it whole, and its error all the time."""
     inside = [
         one
         for one in manoeuvres
-        if one["kind"] in KINDS[loop] and from_s <= one["at_s"] and one["until_s"] <= to_s and one["method"] != "none"
+        if one.kind in KINDS[loop] and from_s <= one.at_s and one.until_s <= to_s and one.method != "none"
     ]
-    medians = {name: median([one[name] for one in inside]) for name in FIGURES}
     error = loop_error(flown, loop, from_s, to_s) if to_s - from_s >= _LEAST_S else None
-    return {"from_s": from_s, "to_s": to_s, "manoeuvres": len(inside), "error_rms": error, **medians}
+    return ReportEffect(from_s, to_s, len(inside), error, **medians(inside))
 
 
-def median(values: list[float | None]) -> float | None:
+def medians(manoeuvres: list[ReportManoeuvre]) -> dict[str, float | None]:
+    """The medians of each of the FIGURES."""
+    return {name: _median([getattr(one, name) for one in manoeuvres]) for name in FIGURES}
+
+
+def _median(values: list[float | None]) -> float | None:
     """The median of those that are known."""
     known = [value for value in values if value is not None]
     return float(np.median(known)) if known else None
@@ -84,14 +98,14 @@ def last_gains(flight: FlightData) -> dict[str, float]:
     return known
 
 
-def _changes(flight: FlightData) -> list[Values]:
+def _changes(flight: FlightData) -> list[GainChange]:
     known: dict[str, float] = {}
     found = []
     for at_s, values in _noted(flight):
         for name, value in values.items():
             before = known.get(name)
             if before is not None and before != value:
-                found.append({"name": name, "at_s": at_s, "before": before, "after": value})
+                found.append(GainChange(name, at_s, before, value))
             known[name] = value
     return found
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
-import orjson
-
+from epf_gcs.contract.report import FlightReport
 from epf_gcs.flights.events import FILE as EVENTS
 from epf_gcs.flights.events import Event, read_events
 from epf_gcs.flights.flight_data import FlightData
@@ -18,16 +16,17 @@ from epf_gcs.flights.report.found import manoeuvres
 from epf_gcs.flights.report.gains import gain_changes, last_gains
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
+from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.places import SUMMARY
 from epf_gcs.vehicle.noted import newest_identity
 
 
-def make(recording: Path, folder: Path | None) -> dict[str, Any]:
+def make(recording: Path, folder: Path | None) -> FlightReport:
     """The report of an indexed flight. Raises ConflictError while there are no columns, OSError, RecordingError."""
     if folder is None:
         raise not_indexed(recording.stem)
     flight = open_indexed(folder, recording, Columns())
-    summary = orjson.loads((folder / SUMMARY).read_bytes())
+    summary = FlightSummary.from_json((folder / SUMMARY).read_bytes())
     events = read_events(folder / EVENTS)
     return report(
         recording.stem, flight, summary, events, flight.times("sent_xplane_info"), flight.times("hil_surfaces")
@@ -35,25 +34,26 @@ def make(recording: Path, folder: Path | None) -> dict[str, Any]:
 
 
 def report(
-    name: str, flight: FlightData, summary: dict[str, Any], events: list[Event], asked_ns: Array, answered_ns: Array
-) -> dict[str, Any]:
+    name: str, flight: FlightData, summary: FlightSummary, events: list[Event], asked_ns: Array, answered_ns: Array
+) -> FlightReport:
     """The report of one flight, with plain values; `asked_ns` and `answered_ns` are the HIL loop's frames."""
     identity = newest_identity(note.content for note in flight.notes() if note.name == notes.IDENTITY)
     moves, reason = manoeuvres(flight)
-    found = {
-        "flight": name,
-        "identity": asdict(identity),
-        "times": times(flight),
-        "distances": distances(flight, summary),
-        "battery": battery(flight),
-        "link": link(summary, asked_ns, answered_ns, pauses(events)),
-        "alarms": alarms(events, flight.start_ns),
-        "marks": marks(events, flight.start_ns),
-        "manoeuvres": moves,
-        "no_manoeuvres": reason,
-        "loops": loops(moves),
-        "gains": gain_changes(flight, moves),
-        "gains_known": last_gains(flight),
-        "earlier": None,
-    }
-    return {**found, "unknown": unknown(found, flight, summary)}
+    found = FlightReport(
+        flight=name,
+        identity=identity,
+        times=times(flight),
+        distances=distances(flight, summary),
+        battery=battery(flight),
+        link=link(summary, asked_ns, answered_ns, pauses(events)),
+        alarms=alarms(events, flight.start_ns),
+        marks=marks(events, flight.start_ns),
+        manoeuvres=moves,
+        no_manoeuvres=reason,
+        loops=loops(moves),
+        gains=gain_changes(flight, moves),
+        gains_known=last_gains(flight),
+        unknown=[],
+        earlier=None,
+    )
+    return replace(found, unknown=unknown(found, flight, summary))

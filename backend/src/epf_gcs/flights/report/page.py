@@ -10,10 +10,10 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.contract.report import FlightReport
 from epf_gcs.flights.report.picture import picture
-from epf_gcs.flights.report.rows import ANSWER, BATTERY, GAIN, LEG, LINK, TIMES, Row, clock
+from epf_gcs.flights.report.rows import ANSWER, BATTERY, LEG, LINK, TIMES, Flown, Row, clock, gain_rows
 
-Report = dict[str, Any]
 Words = dict[str, Any]
 
 _STYLE: Final = """
@@ -38,30 +38,31 @@ dt { font-weight: 600 } dd { margin: 0 0 .4em }
 """
 
 
-def page(report: Report, language: str) -> str:
+def page(report: FlightReport, language: str) -> str:
     """The page; every text of the recording is escaped. `language` is `es` or `en`."""
     words = _words(language)
-    begun = datetime.fromtimestamp(report["times"]["started_s"], UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
-    identity = [report["identity"][key] for key in ("aircraft", "board", "firmware", "operator")]
-    facts = " · ".join(str(fact) for fact in [*identity, report["flight"]] if fact)
+    begun = datetime.fromtimestamp(report.times.started_s, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
+    what = report.identity
+    known = (what.aircraft, what.board, what.firmware, what.operator, report.flight)
+    facts = " · ".join(fact for fact in known if fact)
     parts = [
         f"<h1>{escape(words['title'])}</h1><p><b>{begun}</b></p><p class=quiet>{escape(facts)}</p>",
         _section(words["times"], _figures(report, TIMES, words)),
-        _section(words["battery"], _figures(report, BATTERY, words)) if report["battery"] else "",
+        _section(words["battery"], _figures(report, BATTERY, words)) if report.battery else "",
         _section(words["link"], _figures(report, LINK, words)),
         _section(words["alarms"], _alarms(report, words)),
-        _section(words["marks"], _list(f"{clock(one['at_s'])}  {one['text']}" for one in report["marks"]))
-        if report["marks"]
+        _section(words["marks"], _list(f"{clock(one.at_s)}  {one.text}" for one in report.marks))
+        if report.marks
         else "",
         _section(words["manoeuvres"], _manoeuvres(report, words)),
         _section(words["gains"], _gains(report, words)),
-        _section(words["unknown"], _list(words["cannot"][word] for word in report["unknown"])),
+        _section(words["unknown"], _list(words["cannot"][word] for word in report.unknown)),
         _section(words["definitionsTitle"], _definitions(words)),
     ]
     return (
         f'<!doctype html><html lang="{language}"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width">'
-        f"<title>{escape(words['title'])} {escape(report['flight'])}</title><style>{_STYLE}</style></head>"
+        f"<title>{escape(words['title'])} {escape(report.flight)}</title><style>{_STYLE}</style></head>"
         f"<body>{''.join(parts)}</body></html>"
     )
 
@@ -89,42 +90,42 @@ def _table(head: list[str], rows: list[list[str]]) -> str:
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def _figures(report: Report, rows: tuple[Row, ...], words: Words) -> str:
-    earlier = report["earlier"]
-    head = [words["figure"], words["this"], *([f"{words['otherShort']} ({earlier['flight']})"] if earlier else [])]
-    flights = [report, *([earlier] if earlier else [])]
+def _figures(report: FlightReport, rows: tuple[Row[Flown], ...], words: Words) -> str:
+    earlier = report.earlier
+    head = [words["figure"], words["this"], *([f"{words['otherShort']} ({earlier.flight})"] if earlier else [])]
+    flights: list[Flown] = [report, *([earlier] if earlier else [])]
     return _table(head, [[words["figures"][row.name], *(row.read(one) for one in flights)] for row in rows])
 
 
-def _alarms(report: Report, words: Words) -> str:
-    if not report["alarms"]:
+def _alarms(report: FlightReport, words: Words) -> str:
+    if not report.alarms:
         return f"<p>{escape(words['noAlarms'])}</p>"
-    lasted = [words["untilEnd"] if one["lasted_s"] is None else f"{one['lasted_s']:.1f} s" for one in report["alarms"]]
+    lasted = [words["untilEnd"] if one.lasted_s is None else f"{one.lasted_s:.1f} s" for one in report.alarms]
     names = [
-        words["alarmNames"].get(one["name"], one["name"]) + (f" × {one['count']}" if one["count"] > 1 else "")
-        for one in report["alarms"]
+        words["alarmNames"].get(one.name, one.name) + (f" × {one.count}" if one.count > 1 else "")
+        for one in report.alarms
     ]
     return _list(
-        f"{clock(one['at_s'])}  {name}: {text}" for one, name, text in zip(report["alarms"], names, lasted, strict=True)
+        f"{clock(one.at_s)}  {name}: {text}" for one, name, text in zip(report.alarms, names, lasted, strict=True)
     )
 
 
-def _manoeuvres(report: Report, words: Words) -> str:
-    if report["no_manoeuvres"] is not None:
-        return f"<p>{escape(words['why'][report['no_manoeuvres']])}</p>"
-    there = report["earlier"]["manoeuvres"] if report["earlier"] else []
+def _manoeuvres(report: FlightReport, words: Words) -> str:
+    if report.no_manoeuvres is not None:
+        return f"<p>{escape(words['why'][report.no_manoeuvres])}</p>"
+    there = report.earlier.manoeuvres if report.earlier else []
     cards = []
-    for one in report["manoeuvres"]:
-        other = there[one["earlier"]] if one["earlier"] is not None else None
+    for one in report.manoeuvres:
+        other = there[one.earlier] if one.earlier is not None else None
         both = [one, *([other] if other else [])]
-        kind = words["kind"][one["kind"]]
-        at = words["at_s"].replace("{{at}}", clock(one["at_s"]))
-        notes = [words["cause"][one["cause"]]]
-        if one["method"] != "none":
-            notes.append(words["method"][one["method"]])
+        kind = words["kind"][one.kind]
+        at = words["at_s"].replace("{{at}}", clock(one.at_s))
+        notes = [words["cause"][one.cause]]
+        if one.method != "none":
+            notes.append(words["method"][one.method])
         content = f"<p class=quiet>{escape(words['noFigures'])}</p>"
-        if one["kind"] == "leg" or one["method"] != "none":
-            rows = LEG if one["kind"] == "leg" else ANSWER
+        if one.kind == "leg" or one.method != "none":
+            rows = LEG if one.kind == "leg" else ANSWER
             head = [words["figure"], words["this"], *([words["otherShort"]] if other else [])]
             content = _table(head, [[words["figures"][row.name], *(row.read(flown) for flown in both)] for row in rows])
         drawn = [picture(flown, f"{kind} {at}") for flown in both]
@@ -135,20 +136,19 @@ def _manoeuvres(report: Report, words: Words) -> str:
     return f"<div class=cards>{''.join(cards)}</div>"
 
 
-def _gains(report: Report, words: Words) -> str:
-    found = "" if report["gains"] else f"<p>{escape(words['noGains'])}</p>"
-    for gain in report["gains"]:
-        title = f"{gain['name']}: {gain['before']:g} → {gain['after']:g}"
-        at = words["at_s"].replace("{{at}}", clock(gain["at_s"]))
+def _gains(report: FlightReport, words: Words) -> str:
+    found = "" if report.gains else f"<p>{escape(words['noGains'])}</p>"
+    for gain in report.gains:
+        title = f"{gain.name}: {gain.before:g} → {gain.after:g}"
+        at = words["at_s"].replace("{{at}}", clock(gain.at_s))
         found += f"<h3>{escape(f'{title} {at}')}</h3>"
-        if gain["earlier"] and gain["later"]:
-            both = (gain["earlier"], gain["later"])
-            rows = [[words["count"], *(str(effect["manoeuvres"]) for effect in both)]]
+        if gain.loop and gain.earlier and gain.later:
+            both = (gain.earlier, gain.later)
+            rows = [[words["count"], *(str(effect.manoeuvres) for effect in both)]]
             rows += [
-                [words["figures"][row.name], *(row.read({**effect, "loop": gain["loop"]}) for effect in both)]
-                for row in GAIN
+                [words["figures"][row.name], *(row.read(effect) for effect in both)] for row in gain_rows(gain.loop)
             ]
-            found += _table([words["loop"][gain["loop"]], words["before"], words["after"]], rows)
+            found += _table([words["loop"][gain.loop], words["before"], words["after"]], rows)
     return found
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import contextlib
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
-import orjson
+import msgspec
 
+from epf_gcs.contract.report import FlightReport
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.places import SUMMARY, Places
 
@@ -15,10 +16,16 @@ FILE: Final = "report.json"
 VERSION: Final = 2
 """Reports of another version are made anew."""
 
-Report = dict[str, Any]
+
+class KeptReport(msgspec.Struct):
+    """The file. `stamp` is of the columns that the report was made of."""
+
+    version: int
+    stamp: int
+    report: FlightReport
 
 
-def run(arguments: list[str], say: Say) -> Report:
+def run(arguments: list[str], say: Say) -> dict[str, FlightReport | str]:
     """{"report"}, or {"page"} as HTML; the earlier flight stands beside its own. Raises GatewayError, OSError."""
     file, options = arguments[0], dict(zip(arguments[1::2], arguments[2::2], strict=True))
     found = report_of(Path(file).resolve(), say, 0.5)
@@ -34,7 +41,7 @@ def run(arguments: list[str], say: Say) -> Report:
     return {"report": found}
 
 
-def report_of(recording: Path, say: Say, share: float) -> Report:
+def report_of(recording: Path, say: Say, share: float) -> FlightReport:
     """The report that is kept, or a new one. Raises ConflictError while the flight is not indexed, OSError."""
     folder = Places(recording.parent.parent).made_of(recording.stem)
     if folder is not None:
@@ -44,29 +51,26 @@ def report_of(recording: Path, say: Say, share: float) -> Report:
             return kept
     from epf_gcs.flights.report.making import make  # noqa: PLC0415 - loads the query engine
 
-    found: Report = make(recording, folder)
+    found = make(recording, folder)
     if folder is not None:
         keep(folder, found)
     say(share, "report")
     return found
 
 
-def keep(folder: Path, report: Report) -> None:
+def keep(folder: Path, report: FlightReport) -> None:
     """Keep it beside the columns, whole or not at all; a full disk only costs the time to make it again."""
     part = folder / f".{FILE}.part"
     with contextlib.suppress(OSError):
-        part.write_bytes(orjson.dumps({"version": VERSION, "stamp": _stamp(folder), "report": report}))
+        part.write_bytes(msgspec.json.encode(KeptReport(VERSION, _stamp(folder), report)))
         part.replace(folder / FILE)
 
 
-def _kept(folder: Path) -> Report | None:
-    try:
-        kept = orjson.loads((folder / FILE).read_bytes())
-        if kept["version"] == VERSION and kept["stamp"] == _stamp(folder):
-            report: Report = kept["report"]
-            return report
-    except (OSError, ValueError, LookupError, TypeError):
-        pass
+def _kept(folder: Path) -> FlightReport | None:
+    with contextlib.suppress(OSError, msgspec.DecodeError):
+        kept = msgspec.json.decode((folder / FILE).read_bytes(), type=KeptReport)
+        if kept.version == VERSION and kept.stamp == _stamp(folder):
+            return kept.report
     return None
 
 

@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final, NamedTuple
+from typing import Final, Generic, NamedTuple, TypeVar
+
+from epf_gcs.contract.report import (
+    EarlierFlight,
+    FlightReport,
+    LoopName,
+    ReportBattery,
+    ReportEffect,
+    ReportLeg,
+    ReportManoeuvre,
+)
 
 _UNITS: Final = {"ft": "ft", "deg": "°", "kt": "kt", "m": "m"}
 _LOOP_UNITS: Final = {"altitude": "ft", "heading": "deg", "speed": "kt"}
 NOTHING: Final = "—"
 
+Flown = FlightReport | EarlierFlight
+T = TypeVar("T")
 
-class Row(NamedTuple):
+
+class Row(NamedTuple, Generic[T]):
     """`read` is given a report, a manoeuvre or a gain's effect."""
 
     name: str
-    read: Callable[[dict[str, Any]], str]
+    read: Callable[[T], str]
 
 
 def shown(value: float | None, digits: int, unit: str = "") -> str:
@@ -39,89 +52,93 @@ def _with_unit(value: float | None, unit: str) -> str:
     return shown(value, 2 if unit == "kt" else 1, _UNITS[unit])
 
 
-def _doubted(name: str, doubt: str, digits: int, unit: str = "") -> Callable[[dict[str, Any]], str]:
+def _doubted(
+    value: Callable[[ReportManoeuvre], float | None],
+    doubt: Callable[[ReportManoeuvre], float | None],
+    digits: int,
+    unit: str = "",
+) -> Callable[[ReportManoeuvre], str]:
     """A figure and how far it may be off, with a digit more of the latter where it would be nought."""
 
-    def read(one: dict[str, Any]) -> str:
-        value, off = one[name], one.get(doubt)
-        if value is None or off is None:
-            return shown(value, digits, unit)
-        return f"{shown(value, digits)} ± {shown(off, digits if off >= 0.1**digits else digits + 1, unit)}"
+    def read(one: ReportManoeuvre) -> str:
+        known, off = value(one), doubt(one)
+        if known is None or off is None:
+            return shown(known, digits, unit)
+        return f"{shown(known, digits)} ± {shown(off, digits if off >= 0.1**digits else digits + 1, unit)}"
 
     return read
 
 
-def _of(part: str, name: str, digits: int, unit: str) -> Callable[[dict[str, Any]], str]:
-    return lambda one: shown((one[part] or {}).get(name), digits, unit)
+def _battery(value: Callable[[ReportBattery], float | None], unit: str = "V") -> Callable[[Flown], str]:
+    return lambda one: shown(None if one.battery is None else value(one.battery), 2, unit)
 
 
-def _damaged(one: dict[str, Any]) -> str:
-    link = one["link"]
-    return f"{shown(link['frames_damaged'], 0)} ({shown(link['damaged_percent'], 3)} %)"
+def _leg(read: Callable[[ReportLeg], str]) -> Callable[[ReportManoeuvre], str]:
+    return lambda one: NOTHING if one.leg is None else read(one.leg)
 
 
-def _gaps(one: dict[str, Any]) -> str:
-    link = one["link"]
-    return f"{link['gaps']} ({shown(link['gaps_s'], 1)} s)" if link["gaps"] else "0"
+def _gaps(one: Flown) -> str:
+    link = one.link
+    return f"{link.gaps} ({shown(link.gaps_s, 1)} s)" if link.gaps else "0"
 
 
-def _round_trip(one: dict[str, Any]) -> str:
-    trip = one["link"]["round_trip_ms"]
-    return NOTHING if trip is None else f"{trip['median']:.1f} / {trip['p99']:.1f} / {trip['longest']:.1f} ms"
+def _round_trip(one: Flown) -> str:
+    trip = one.link.round_trip_ms
+    return NOTHING if trip is None else f"{trip.median:.1f} / {trip.p99:.1f} / {trip.longest:.1f} ms"
 
 
-def _across(one: dict[str, Any]) -> str:
-    leg = one["leg"]
-    return NOTHING if leg["across_rms_m"] is None else f"{leg['across_rms_m']:.0f} / {leg['across_most_m']:.0f} m"
+def _across(leg: ReportLeg) -> str:
+    return NOTHING if leg.across_rms_m is None else f"{leg.across_rms_m:.0f} / {leg.across_most_m:.0f} m"
 
 
-TIMES: Final = (
-    Row("duration", lambda one: clock(one["times"]["duration_s"])),
-    Row("airborne", lambda one: clock(one["times"]["airborne_s"])),
-    Row("autopilot", lambda one: clock(one["times"]["autopilot_s"])),
-    Row("distance", _of("distances", "distance_nm", 2, "NM")),
-    Row("highest", _of("distances", "highest_ft", 0, "ft")),
-    Row("lowest", _of("distances", "lowest_ft", 0, "ft")),
-    Row("fastest", _of("distances", "fastest_kt", 1, "kt")),
-    Row("climbMost", _of("distances", "climb_most_ft_min", 0, "ft/min")),
-    Row("sinkMost", _of("distances", "sink_most_ft_min", 0, "ft/min")),
+TIMES: Final[tuple[Row[Flown], ...]] = (
+    Row("duration", lambda one: clock(one.times.duration_s)),
+    Row("airborne", lambda one: clock(one.times.airborne_s)),
+    Row("autopilot", lambda one: clock(one.times.autopilot_s)),
+    Row("distance", lambda one: shown(one.distances.distance_nm, 2, "NM")),
+    Row("highest", lambda one: shown(one.distances.highest_ft, 0, "ft")),
+    Row("lowest", lambda one: shown(one.distances.lowest_ft, 0, "ft")),
+    Row("fastest", lambda one: shown(one.distances.fastest_kt, 1, "kt")),
+    Row("climbMost", lambda one: shown(one.distances.climb_most_ft_min, 0, "ft/min")),
+    Row("sinkMost", lambda one: shown(one.distances.sink_most_ft_min, 0, "ft/min")),
 )
-BATTERY: Final = (
-    Row("batteryBegin", _of("battery", "begin_v", 2, "V")),
-    Row("batteryEnd", _of("battery", "end_v", 2, "V")),
-    Row("batteryLowest", _of("battery", "lowest_v", 2, "V")),
-    Row("batteryDrop", _of("battery", "drop_v_per_hour", 2, "V/h")),
+BATTERY: Final[tuple[Row[Flown], ...]] = (
+    Row("batteryBegin", _battery(lambda one: one.begin_v)),
+    Row("batteryEnd", _battery(lambda one: one.end_v)),
+    Row("batteryLowest", _battery(lambda one: one.lowest_v)),
+    Row("batteryDrop", _battery(lambda one: one.drop_v_per_hour, "V/h")),
 )
-LINK: Final = (
-    Row("frames", _of("link", "frames", 0, "")),
-    Row("damaged", _damaged),
+LINK: Final[tuple[Row[Flown], ...]] = (
+    Row("frames", lambda one: shown(one.link.frames, 0)),
+    Row("damaged", lambda one: f"{shown(one.link.frames_damaged, 0)} ({shown(one.link.damaged_percent, 3)} %)"),
     Row("gaps", _gaps),
     Row("roundTrip", _round_trip),
 )
-_RESPONSE: Final = (
-    Row("rise", lambda one: shown(one["rise_s"], 1, "s")),
-    Row("overshoot", lambda one: shown(one["overshoot_percent"], 1, "%")),
-    Row("settling", lambda one: shown(one["settling_s"], 1, "s")),
+ANSWER: Final[tuple[Row[ReportManoeuvre], ...]] = (
+    Row("size", lambda one: _with_unit(one.size, one.unit)),
+    Row("rise", _doubted(lambda one: one.rise_s, lambda one: one.rise_doubt_s, 1, "s")),
+    Row("overshoot", _doubted(lambda one: one.overshoot_percent, lambda one: one.overshoot_doubt_percent, 1, "%")),
+    Row("settling", lambda one: shown(one.settling_s, 1, "s")),
+    Row("steady", lambda one: _with_unit(one.steady_error, one.unit)),
+    Row("damping", _doubted(lambda one: one.damping, lambda one: one.damping_doubt, 2)),
 )
-_DAMPING: Final = Row("damping", lambda one: shown(one["damping"], 2))
-ANSWER: Final = (
-    Row("size", lambda one: _with_unit(one["size"], one["unit"])),
-    Row("rise", _doubted("rise_s", "rise_doubt_s", 1, "s")),
-    Row("overshoot", _doubted("overshoot_percent", "overshoot_doubt_percent", 1, "%")),
-    Row("settling", lambda one: shown(one["settling_s"], 1, "s")),
-    Row("steady", lambda one: _with_unit(one["steady_error"], one["unit"])),
-    Row("damping", _doubted("damping", "damping_doubt", 2)),
+LEG: Final[tuple[Row[ReportManoeuvre], ...]] = (
+    Row("duration", _leg(lambda leg: clock(leg.duration_s))),
+    Row("distance", _leg(lambda leg: shown(leg.distance_m, 0, "m"))),
+    Row("across", _leg(_across)),
+    Row("altitudeError", _leg(lambda leg: shown(leg.altitude_error_ft, 1, "ft"))),
+    Row("speedError", _leg(lambda leg: shown(leg.speed_error_kt, 2, "kt"))),
 )
-LEG: Final = (
-    Row("duration", lambda one: clock(one["leg"]["duration_s"])),
-    Row("distance", _of("leg", "distance_m", 0, "m")),
-    Row("across", _across),
-    Row("altitudeError", _of("leg", "altitude_error_ft", 1, "ft")),
-    Row("speedError", _of("leg", "speed_error_kt", 2, "kt")),
-)
-GAIN: Final = (
-    Row("loopError", lambda one: _with_unit(one["error_rms"], _LOOP_UNITS[one["loop"]])),
-    *_RESPONSE,
-    Row("steady", lambda one: _with_unit(one["steady_error"], _LOOP_UNITS[one["loop"]])),
-    _DAMPING,
-)
+
+
+def gain_rows(loop: LoopName) -> tuple[Row[ReportEffect], ...]:
+    """How a loop flew before or after a change of its gain."""
+    unit = _LOOP_UNITS[loop]
+    return (
+        Row("loopError", lambda one: _with_unit(one.error_rms, unit)),
+        Row("rise", lambda one: shown(one.rise_s, 1, "s")),
+        Row("overshoot", lambda one: shown(one.overshoot_percent, 1, "%")),
+        Row("settling", lambda one: shown(one.settling_s, 1, "s")),
+        Row("steady", lambda one: _with_unit(one.steady_error, unit)),
+        Row("damping", lambda one: shown(one.damping, 2)),
+    )

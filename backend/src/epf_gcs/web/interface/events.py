@@ -6,11 +6,10 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from epf_gcs.contract import events
+from epf_gcs.contract.answers import TrackState
 from epf_gcs.contract.events import SubjectEvent
-from epf_gcs.web.interface.fields.schemas import PreparedField
-from epf_gcs.web.interface.flights.schemas import Job
-from epf_gcs.web.interface.maps.schemas import MapImport
-from epf_gcs.web.interface.track.schemas import TrackState
+from epf_gcs.contract.flights import Job
+from epf_gcs.contract.maps import MapImport, PreparedField
 
 _SUBJECTS: Final[Mapping[SubjectEvent, type[Any]]] = {
     "job": Job,

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Callable, Mapping
-from typing import Any, Final
+from collections.abc import Callable
+from typing import Final
 
 from epf_gcs.bus.definition import event_text
+from epf_gcs.contract.base import Shape
 from epf_gcs.contract.events import Event, SubjectEvent
 from epf_gcs.repeating import Repeating, report_failure
 from epf_gcs.web.stream.hub_state import HubState
@@ -83,7 +84,7 @@ class Hub:
         """Send an event of the web process to every viewer."""
         self.send_event(self.event_text(event))
 
-    def say(self, name: SubjectEvent, data: Mapping[str, Any], /) -> None:
+    def say(self, name: SubjectEvent, data: Shape, /) -> None:
         """Send an event of a subject to every viewer."""
         self.send_event(event_text(name, self._now_s(), data))
 

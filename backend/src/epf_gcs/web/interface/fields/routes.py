@@ -8,9 +8,9 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path
 
+from epf_gcs.contract.maps import FieldProof, PreparedField
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.fields.area import Area
-from epf_gcs.fields.job import FieldJob
 from epf_gcs.fields.known_sources import KNOWN_SOURCES
 from epf_gcs.fields.order import Order, Part
 from epf_gcs.web.interface.deps import FieldsDep, MapsDep, OperatorDep
@@ -20,9 +20,7 @@ from epf_gcs.web.interface.fields.schemas import (
     FieldLevel,
     FieldList,
     FieldOrderInput,
-    FieldProof,
     FieldSource,
-    PreparedField,
 )
 from epf_gcs.web.interface.maps.routes import LayerId
 from epf_gcs.web.serving.problems import problems, reading_problems
@@ -36,7 +34,7 @@ FieldId = Annotated[str, Path(pattern=r"^[0-9a-f]{12}$")]
 async def get_fields(fields: FieldsDep) -> FieldList:
     """What is being prepared, and public sources to choose from. The event `map_field` tells how far one is."""
     return FieldList(
-        fields=[_field(job) for job in fields.all()],
+        fields=[job.told for job in fields.all()],
         sources=[FieldSource(**asdict(source)) for source in KNOWN_SOURCES],
     )
 
@@ -60,19 +58,19 @@ async def prepare_field(body: FieldOrderInput, fields: FieldsDep, _: OperatorDep
     """Begin to bring it. It goes on by itself after cuts and restarts, and is a map of the folder when it is whole."""
     if not body.accepts_terms:
         raise InvalidInputError("field_terms", "Read the terms of the sources and accept them first.")
-    return _field(await fields.start(_order(body)))
+    return (await fields.start(_order(body))).told
 
 
 @router.post("/fields/{field_id}/pause", responses=problems(404, 409))
 async def pause_field(field_id: FieldId, fields: FieldsDep, _: OperatorDep) -> PreparedField:
     """Stop for now; what has arrived is kept."""
-    return _field(await fields.pause(field_id))
+    return (await fields.pause(field_id)).told
 
 
 @router.post("/fields/{field_id}/resume", responses=problems(404, 409))
 async def resume_field(field_id: FieldId, fields: FieldsDep, _: OperatorDep) -> PreparedField:
     """Go on where it stopped."""
-    return _field(await fields.resume(field_id))
+    return (await fields.resume(field_id)).told
 
 
 @router.delete("/fields/{field_id}", responses=problems(404, 409))
@@ -86,7 +84,7 @@ async def remove_field(field_id: FieldId, fields: FieldsDep, _: OperatorDep) -> 
 @router.post("/layers/{layer_id}/proof", responses=problems(404, 409))
 async def prove_map_layer(layer_id: LayerId, fields: FieldsDep) -> FieldProof:
     """Compare every tile of a prepared field with the manifest in its file."""
-    return FieldProof(**await fields.prove(layer_id))
+    return await fields.prove(layer_id)
 
 
 def _free_bytes(folder: object) -> int:
@@ -103,7 +101,3 @@ def _order(body: FieldInput) -> Order:
         for part in body.parts
     )
     return Order(body.name, Area(points, body.radius_m), parts)
-
-
-def _field(job: FieldJob) -> PreparedField:
-    return PreparedField.model_validate(job.as_dict())

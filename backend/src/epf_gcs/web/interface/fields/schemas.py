@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
+from epf_gcs.contract.maps import FieldKind, PreparedField
 from epf_gcs.contract.shapes import Input, Output
 from epf_gcs.fields.order import HIGHEST_ZOOM
-from epf_gcs.web.interface.maps.schemas import MapProblem
 
-FieldKind = Literal["heights", "imagery", "vector"]
 Level = Annotated[int, Field(ge=0, le=HIGHEST_ZOOM)]
 
 
@@ -68,35 +67,6 @@ class FieldEstimate(Output):
     free_bytes: int
 
 
-class FieldSourceName(Output):
-    """Which source a kind comes from."""
-
-    kind: FieldKind
-    name: str
-
-
-class PreparedField(MapProblem):
-    """A field on its way. `percent`: of what is made of the heights. `waits_s`: the source is asked again then;
-    `problem` says why. `layer`: one of its layers once it is done."""
-
-    id: str
-    name: str
-    state: Literal["running", "paused", "failed", "done", "removed"]
-    doing: Literal["waiting", "fetching", "making", "proving", "done"]
-    percent: int | None
-    layer: str | None
-    sources: list[FieldSourceName]
-    tiles: int
-    tiles_total: int
-    tiles_missing: int
-    bytes: int
-    bytes_total: int
-    bytes_per_s: int
-    left_s: int | None
-    retries: int
-    waits_s: float | None
-
-
 class FieldSource(Output):
     """A public source that may be chosen, and what its owner asks."""
 
@@ -116,11 +86,3 @@ class FieldList(Output):
 
     fields: list[PreparedField]
     sources: list[FieldSource]
-
-
-class FieldProof(Output):
-    """What a whole file holds: tiles, their bytes, and the digest of its manifest."""
-
-    tiles: int
-    bytes: int
-    sha256: str

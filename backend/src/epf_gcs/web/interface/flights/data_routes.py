@@ -12,6 +12,15 @@ from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 
 from epf_gcs.contract.answers import FlightKnowledge
+from epf_gcs.contract.flight_questions import (
+    EventsQuestion,
+    KnownQuestion,
+    OverviewQuestion,
+    SignalsQuestion,
+    TopicsQuestion,
+    TrackQuestion,
+)
+from epf_gcs.contract.flights import FlightEvents, FlightOverview, FlightTopics, Signals
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
 from epf_gcs.formats.track_points import MEDIA_TYPE
@@ -19,7 +28,6 @@ from epf_gcs.library.flights import Flights
 from epf_gcs.library.folder import unknown
 from epf_gcs.library.marks import with_marks
 from epf_gcs.web.interface.deps import FlightsDep, QueriesDep
-from epf_gcs.web.interface.flights.schemas import FlightEvents, FlightOverview, FlightTopics, Signals
 from epf_gcs.web.serving.problems import reading_problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])
@@ -46,10 +54,10 @@ AtS = Annotated[float | None, Query(ge=0, le=10_000_000, description="Seconds si
 async def get_flight_events(flight_id: FlightName, flights: FlightsDep, queries: QueriesDep) -> Response:
     """Commands with their outcome, alarms, modes, waypoints passed, marks, gaps and damage, in order of time."""
     flight, growing = await which(flight_id, flights)
-    body = await queries.ask("events", flight, growing=growing)
+    body = await queries.ask(EventsQuestion(flight, growing))
     about = (await flights.get(flight)).about
     if about.marks:
-        body = orjson.dumps(with_marks(orjson.loads(body), about))
+        body = orjson.dumps(with_marks(body, about))
     return Response(body, media_type=_JSON)
 
 
@@ -83,8 +91,7 @@ async def get_flight_signals(
     an Arrow stream with the columns name, at_s, min and max."""
     flight, growing = await which(flight_id, flights)
     arrow = ARROW in request.headers.get("accept", "")
-    wanted = {"names": names, "from_s": from_s, "to_s": to_s, "points": points, "arrow": arrow}
-    body = await queries.ask("signals", flight, growing=growing, **wanted)
+    body = await queries.ask(SignalsQuestion(flight, growing, names, from_s, to_s, points, arrow))
     return Response(body, media_type=ARROW if arrow else _JSON)
 
 
@@ -96,7 +103,7 @@ async def get_flight_signals(
 async def get_flight_topics(flight_id: FlightName, flights: FlightsDep, queries: QueriesDep) -> Response:
     """The topics that the flight has, with their fields and units."""
     flight, growing = await which(flight_id, flights)
-    return Response(await queries.ask("topics", flight, growing=growing), media_type=_JSON)
+    return Response(await queries.ask(TopicsQuestion(flight, growing)), media_type=_JSON)
 
 
 @router.get(
@@ -112,7 +119,7 @@ async def get_flight_overview(
 ) -> Response:
     """The ground of the time bar: altitude at even steps, and gaps."""
     flight, growing = await which(flight_id, flights)
-    return Response(await queries.ask("overview", flight, growing=growing, points=points), media_type=_JSON)
+    return Response(await queries.ask(OverviewQuestion(flight, growing, points)), media_type=_JSON)
 
 
 @router.get(
@@ -129,7 +136,7 @@ async def get_flight_track(
 ) -> Response:
     """The flown track, in the form of /track/points; without points where there is none."""
     flight, growing = await which(flight_id, flights)
-    body = await queries.ask("track", flight, growing=growing, source=source, points=points)
+    body = await queries.ask(TrackQuestion(flight, growing, source, points))
     return Response(body, media_type=MEDIA_TYPE)
 
 
@@ -146,7 +153,7 @@ async def get_flight_known(
 ) -> Response:
     """Identity, gains and plans as they were known at that moment."""
     flight, growing = await which(flight_id, flights)
-    return Response(await queries.ask("known", flight, growing=growing, at_s=at_s), media_type=_JSON)
+    return Response(await queries.ask(KnownQuestion(flight, growing, at_s)), media_type=_JSON)
 
 
 async def which(flight_id: str, flights: Flights) -> tuple[str, bool]:

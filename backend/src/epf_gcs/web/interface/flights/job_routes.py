@@ -7,10 +7,11 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from fastapi.responses import FileResponse
 
+from epf_gcs.contract.flights import Job
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
 from epf_gcs.web.interface.deps import FlightsDep
-from epf_gcs.web.interface.flights.schemas import Job, JobList
+from epf_gcs.web.interface.flights.schemas import JobList
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/jobs", tags=["flights"])
@@ -21,13 +22,13 @@ JobId = Annotated[str, Path(pattern=r"^[0-9a-f]{12}$")]
 @router.get("", responses=reading_problems())
 async def get_jobs(flights: FlightsDep) -> JobList:
     """Jobs under way and the last that ended, newest first. The event `job` tells of each change."""
-    return JobList(jobs=[Job(**job.as_dict()) for job in flights.jobs.all()])
+    return JobList(jobs=[job.told for job in flights.jobs.all()])
 
 
 @router.get("/{job_id}", responses=reading_problems(404))
 async def get_job(job_id: JobId, flights: FlightsDep) -> Job:
     """How far a job is."""
-    return Job(**flights.jobs.get(job_id).as_dict())
+    return flights.jobs.get(job_id).told
 
 
 @router.delete("/{job_id}", responses=problems(404, 409))
@@ -35,7 +36,7 @@ async def cancel_job(job_id: JobId, flights: FlightsDep) -> Job:
     """Stop a job: nothing of what it made is kept. One that is over stays as it is."""
     job = flights.jobs.get(job_id)
     await flights.cancel(job)
-    return Job(**job.as_dict())
+    return job.told
 
 
 @router.get(
@@ -49,6 +50,6 @@ async def cancel_job(job_id: JobId, flights: FlightsDep) -> Job:
 async def get_job_result(job_id: JobId, flights: FlightsDep) -> FileResponse:
     """The file that a job made."""
     job = flights.jobs.get(job_id)
-    if job.result is None or job.as_dict()["result"] is None:
+    if job.result is None or job.told.result is None:
         raise NotFoundError("job_over", f"The job '{job_id}' has no file to be fetched: start it again.", job=job_id)
     return FileResponse(job.result, media_type="application/octet-stream", filename=job.result_name)

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import secrets
-from typing import Annotated, Any
+from typing import Annotated
 
-import orjson
+import msgspec
 from fastapi import APIRouter, Path
 
+from epf_gcs.contract.flight_questions import EventsQuestion, SpanQuestion
+from epf_gcs.contract.flights import FlightEvents, FlightTimes
 from epf_gcs.contract.requests import SetMark
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.library import marks
+from epf_gcs.library.about import KeptMark
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.queries import Queries
 from epf_gcs.web.interface.deps import AskerDep, FlightsDep, QueriesDep, VehicleDep
 from epf_gcs.web.interface.flights.data_routes import FlightName, which
-from epf_gcs.web.interface.flights.schemas import FlightEvents, MarkAtInput, MarkInput
+from epf_gcs.web.interface.flights.schemas import MarkAtInput, MarkInput
 from epf_gcs.web.serving.problems import problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])
@@ -42,9 +45,9 @@ async def set_mark(
             )
         await vehicle.ask(SetMark(mark.text, asker.name, mark.ago_s), asker)
         return await _events(flight, flights, queries)
-    span = orjson.loads(await queries.ask("span", flight, growing=growing))
-    mark_id, at_s, t_s = secrets.token_hex(6), mark.at_s, span["start_s"] + mark.at_s
-    await flights.say(flight, lambda about: marks.add(about, mark_id, at_s, t_s, mark.text, asker.name))
+    times = msgspec.json.decode(await queries.ask(SpanQuestion(flight, growing)), type=FlightTimes)
+    kept = KeptMark(secrets.token_hex(6), mark.text, times.start_s + mark.at_s, mark.at_s, asker.name)
+    await flights.say(flight, lambda about: marks.add(about, kept))
     return await _events(flight, flights, queries)
 
 
@@ -64,15 +67,11 @@ async def remove_mark(flight_id: FlightName, mark_id: MarkId, flights: FlightsDe
 
 async def _change(flight_id: str, mark_id: str, text: str | None, flights: Flights, queries: Queries) -> FlightEvents:
     flight, _ = await which(flight_id, flights)
-    found = marks.find(await _read(flight, flights, queries), mark_id)
-    await flights.say(flight, lambda about: marks.change(about, found, text))
+    marks.check(await _events(flight, flights, queries), mark_id)
+    await flights.say(flight, lambda about: marks.change(about, mark_id, text))
     return await _events(flight, flights, queries)
 
 
 async def _events(flight: str, flights: Flights, queries: Queries) -> FlightEvents:
-    return FlightEvents.model_validate(await _read(flight, flights, queries))
-
-
-async def _read(flight: str, flights: Flights, queries: Queries) -> dict[str, Any]:
-    body = await queries.ask("events", flight, growing=flight == flights.growing)
-    return marks.with_marks(orjson.loads(body), (await flights.get(flight)).about)
+    body = await queries.ask(EventsQuestion(flight, flight == flights.growing))
+    return marks.with_marks(body, (await flights.get(flight)).about)

@@ -6,15 +6,14 @@ import base64
 import hashlib
 from typing import Annotated, Any, Final, Literal
 
-import orjson
 from fastapi import APIRouter, Path, Query
 from fastapi.responses import HTMLResponse, Response
 
+from epf_gcs.contract.report import FlightReport
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
 from epf_gcs.library.flights import Flights
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep
-from epf_gcs.web.interface.flights.report_schemas import FlightReport
 from epf_gcs.web.interface.language import LanguageDep
 from epf_gcs.web.serving.problems import reading_problems
 
@@ -49,14 +48,14 @@ async def get_flight_report(
         await flights.jobs.cancel(job)
     if job.fault is not None:
         raise _as_answer(job.fault)
-    if job.state != "done":
+    if job.state != "done" or job.answer is None:
         raise ConflictError(
             "job_failed", "The work on the recording failed (it was cancelled).", why="it was cancelled"
         )
-    answer, job.answer = job.answer, {}
+    answer, job.answer = job.answer, None
     if format == "html":
-        return HTMLResponse(answer["page"], headers={"Content-Security-Policy": _policy_of(answer["page"])})
-    return Response(orjson.dumps(answer["report"]), media_type="application/json")
+        return HTMLResponse(answer.page, headers={"Content-Security-Policy": _policy_of(answer.page)})
+    return Response(bytes(answer.report), media_type="application/json")
 
 
 def _policy_of(page: str) -> str:

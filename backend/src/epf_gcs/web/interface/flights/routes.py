@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator
 from dataclasses import replace
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Final, Literal
 
 from fastapi import APIRouter, Path, Query, Request
 from starlette.requests import ClientDisconnect
@@ -21,13 +21,11 @@ from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.interface.flights.schemas import (
     DeletedFlight,
-    Fault,
     Flight,
     FlightBin,
     FlightChange,
     FlightList,
     FlightState,
-    Job,
     JobStart,
 )
 from epf_gcs.web.interface.flights.settings_schemas import (
@@ -43,6 +41,22 @@ from epf_gcs.web.vehicle.mirror import VehicleMirror
 router = APIRouter(prefix="/flights", tags=["flights"])
 
 UPLOAD_PATH: Final = "/flights"
+# The fields of a flight that its summary has by the same names.
+_FROM_SUMMARY: Final = (
+    "board",
+    "firmware",
+    "station",
+    "aircraft",
+    "operator",
+    "highest_ft",
+    "fastest_kt",
+    "distance_nm",
+    "frames",
+    "frames_damaged",
+    "waypoints",
+    "alarms",
+    "thumbnail",
+)
 
 FlightId = Annotated[str, Path(pattern=ID_PATTERN, examples=["20260131T120000Z"])]
 UnixTime = Annotated[float | None, Query(ge=0, le=1e11, description="Unix time in seconds.")]
@@ -72,9 +86,7 @@ async def get_flights(
         total=total,
         tags=tags,
         boards=boards,
-        indexing=[
-            Job(**job.as_dict()) for job in flights.jobs.all() if job.kind in ("pack", "index") and not job.is_over
-        ],
+        indexing=[job.told for job in flights.jobs.all() if job.kind in ("pack", "index") and not job.is_over],
         disk=await _disk(flights),
         aircraft=await flights.aircraft.now(),
     )
@@ -196,31 +208,29 @@ async def _disk(flights: Flights) -> FlightDisk:
 
 def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
     active = row.id == flights.growing
-    known: dict[str, Any] = row.summary or {}
-    about = row.about
-    added = sum(not mark.get("recorded", False) for mark in about.marks)
-    hidden = sum(bool(mark.get("hidden", False)) for mark in about.marks)
-    taken = ("board", "firmware", "station", "aircraft", "operator", "highest_ft", "fastest_kt", "distance_nm")
-    counted = ("frames", "frames_damaged", "waypoints", "alarms", "thumbnail")
+    known, about = row.summary, row.about
+    added = sum(not mark.recorded for mark in about.marks)
+    hidden = sum(mark.hidden for mark in about.marks)
     return Flight(
         id=row.id,
         active=active,
         state=_state(row, flights, active=active),
-        fault=None if row.fault is None else Fault(**row.fault),
+        fault=row.fault,
         started_s=row.started_s,
-        clock_ahead_s=known.get("clock_ahead_s", 0.0),
-        clock_unsure=known.get("clock_unsure", False),
-        duration_s=(known["ended_ns"] - known["started_ns"]) * 1e-9 if known else None,
+        clock_ahead_s=known.clock_ahead_s if known else 0.0,
+        clock_unsure=known.clock_unsure if known else False,
+        duration_s=known.duration_ns * 1e-9 if known else None,
         bytes=mirror.status.recording.bytes if active else row.bytes,
-        marks=known["marks"] + added - hidden if known else None,
-        emulated=bool(known.get("emulated", False)),
+        marks=known.marks + added - hidden if known else None,
+        emulated=known.emulated if known else False,
         imported=about.imported,
-        damage=" ".join(sentence for sentence in (about.came_damaged, known.get("damage")) if sentence) or None,
+        damage=" ".join(sentence for sentence in (about.came_damaged, known.damage if known else None) if sentence)
+        or None,
         title=about.title,
         tags=about.tags,
         notes=about.notes,
         pinned=about.pinned,
-        **{name: known.get(name) for name in (*taken, *counted)},
+        **{name: getattr(known, name, None) for name in _FROM_SUMMARY},
     )
 
 

@@ -5,72 +5,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from epf_gcs.contract.shapes import Input, Output, ParamValue
-from epf_gcs.errors import ErrorCode
+from epf_gcs.contract.flights import Fault, Job, Thumbnail
+from epf_gcs.contract.shapes import Input, Output
 from epf_gcs.formats.kml_words import Language
 from epf_gcs.recordings.export_names import ExportFormat
 from epf_gcs.web.interface.flights.settings_schemas import FlightDisk
 
 FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
-JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
-JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
-EventKind = Literal[
-    "advice",
-    "alarm",
-    "command",
-    "console",
-    "control",
-    "damage",
-    "gap",
-    "link",
-    "lost",
-    "mark",
-    "mode",
-    "parameter",
-    "plan",
-    "restart",
-    "waypoint",
-]
 Tag = Annotated[str, Field(min_length=1, max_length=40)]
 TopicName = Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]{1,64}$")]
 MarkText = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500)]
-
-
-class Fault(Output):
-    """Why something could not be done. `code` is stable and translated by the page."""
-
-    code: ErrorCode
-    detail: str
-    params: dict[str, ParamValue]
-
-
-class JobResult(Output):
-    """What a finished job left to be fetched from `/jobs/{id}/result`."""
-
-    name: str
-    bytes: int
-
-
-class Job(Output):
-    """Work of a separate process. `progress` is 0 to 1; `doing` is a stable word for the step it is at.
-
-    `flight` is null while an imported file has no id yet. `file` is the name of the file that it
-    makes, null for one that makes none; `result` is null until it is made.
-    """
-
-    id: str
-    kind: JobKind
-    flight: str | None
-    state: JobState
-    progress: float
-    doing: str
-    file: str | None
-    fault: Fault | None
-    result: JobResult | None
 
 
 class JobStart(Output):
@@ -83,14 +31,6 @@ class JobList(Output):
     """Jobs under way and the last that ended, newest first."""
 
     jobs: list[Job]
-
-
-class Thumbnail(Output):
-    """A small picture: `track` as [x, y] pairs with x to the east and y to the north, `altitude` evenly spaced in
-    time. All values are 0 to 1; null altitudes are not known."""
-
-    track: list[list[float]]
-    altitude: list[float | None]
 
 
 class Flight(Output):
@@ -172,26 +112,6 @@ class FlightChange(Input):
     pinned: bool | None = None
 
 
-class FlightEvent(Output):
-    """Something that happened. `name` says what within its kind: a command's, alarm's, mode's or parameter's name;
-    `data` is as the event of the stream has it. `until_s` is Unix time; null for a moment, or while it lasts.
-    `id` is given for marks, which can be changed by it."""
-
-    t_s: float
-    at_s: float
-    kind: EventKind
-    name: str
-    id: str | None
-    data: dict[str, Any]
-    until_s: float | None
-
-
-class FlightEvents(Output):
-    """All events, in order of time."""
-
-    events: list[FlightEvent]
-
-
 class MarkInput(Input):
     """The words of a mark."""
 
@@ -205,67 +125,6 @@ class MarkAtInput(Input):
     text: MarkText
     at_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
     ago_s: Annotated[float, Field(ge=0, le=600)] = 0.0
-
-
-class Signal(Output):
-    """One signal of the stretch that was asked for.
-
-    `at_s[i]` is the time of step i, `min[i]` and `max[i]` the extremes in it: of every sample, so that none is lost.
-    Where there are no more samples than steps, each step is a sample, and min equals max. Null is a value that the
-    board did not have, or a gap in the samples. `mean` and `count` are of all samples of the stretch that have a value.
-    """
-
-    name: str
-    unit: str
-    at_s: list[float]
-    min: list[float | None]
-    max: list[float | None]
-    mean: float | None
-    count: int
-
-
-class Signals(Output):
-    """The stretch, cut to the flight's, and its signals in the order they were asked for. `starts_s` is the Unix time
-    of the flight's start."""
-
-    starts_s: float
-    from_s: float
-    to_s: float
-    signals: list[Signal]
-
-
-class TopicField(Output):
-    """A field of a topic. Numbers and flags can be plotted, as `topic.field`."""
-
-    name: str
-    unit: str
-    kind: Literal["number", "flag", "text"]
-
-
-class FlightTopic(Output):
-    """A topic that the flight has; `first_s` and `last_s` are when its samples begin and end."""
-
-    name: str
-    count: int
-    first_s: float
-    last_s: float
-    fields: list[TopicField]
-
-
-class FlightTopics(Output):
-    """All topics that have samples."""
-
-    topics: list[FlightTopic]
-
-
-class FlightOverview(Output):
-    """The ground of the time bar: the altitude at evenly spaced moments (null: not known), `signal` being the one
-    it was taken from, and the stretches [from_s, to_s] without any data."""
-
-    duration_s: float
-    signal: str | None
-    altitude_ft: list[float | None]
-    gaps: list[list[float]]
 
 
 class ExportInput(Input):

@@ -6,11 +6,12 @@ from dataclasses import asdict
 
 from fastapi import APIRouter
 
+from epf_gcs.contract.maps import problem_parts
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.maps.maps import Maps
 from epf_gcs.maps.sources import OnlineChoice, Source
 from epf_gcs.web.interface.deps import MapsDep, OperatorDep
-from epf_gcs.web.interface.maps.schemas import OnlineInput, OnlineSource, OnlineState, problem_fields
+from epf_gcs.web.interface.maps.schemas import OnlineInput, OnlineSource, OnlineState
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/map/online", tags=["maps"])
@@ -52,4 +53,4 @@ async def _state(maps: Maps) -> OnlineState:
 
 def _source(maps: Maps, source: Source) -> OnlineSource:
     problem = maps.online.problem_of(source.id)
-    return OnlineSource(**asdict(source), **problem_fields(problem))
+    return OnlineSource(*problem_parts(problem), **asdict(source))

@@ -10,13 +10,13 @@ from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import FileResponse, Response
 from starlette.requests import ClientDisconnect
 
+from epf_gcs.contract.maps import MapImport, problem_parts
 from epf_gcs.contract.shapes import FILE, file_body
 from epf_gcs.errors import ConflictError
-from epf_gcs.maps.imports import Import
 from epf_gcs.maps.layer import VECTOR_TYPE, Description, Layer, Tile
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.web.interface.deps import MapsDep, OperatorDep
-from epf_gcs.web.interface.maps.schemas import MapImport, MapLayer, MapLayers, problem_fields
+from epf_gcs.web.interface.maps.schemas import MapLayer, MapLayers
 from epf_gcs.web.serving.problems import problem_response, problems, reading_problems
 
 router = APIRouter(prefix="/map", tags=["maps"])
@@ -144,19 +144,19 @@ async def import_map(request: Request, maps: MapsDep, name: FileName, _: Operato
     length = request.headers.get("content-length", "")
     total_bytes = int(length) if length.isdecimal() else None
     one = await maps.imports.receive(name, total_bytes, _chunks(request, name))
-    return _import(one)
+    return one.told
 
 
 @router.get("/imports/{import_id}", responses=reading_problems(404))
 async def get_map_import(maps: MapsDep, import_id: ImportId) -> MapImport:
     """How far an import is."""
-    return _import(maps.imports.get(import_id))
+    return maps.imports.get(import_id).told
 
 
 @router.delete("/imports/{import_id}", responses=problems(404, 409))
 async def cancel_map_import(maps: MapsDep, import_id: ImportId, _: OperatorDep) -> MapImport:
     """Cancel an import: nothing of the file is kept. One that is over stays as it is."""
-    return _import(await maps.imports.cancel(import_id))
+    return (await maps.imports.cancel(import_id)).told
 
 
 async def _chunks(request: Request, name: str) -> AsyncIterator[bytes]:
@@ -169,13 +169,10 @@ async def _chunks(request: Request, name: str) -> AsyncIterator[bytes]:
         ) from error
 
 
-def _import(one: Import) -> MapImport:
-    return MapImport.model_validate(one.as_dict())
-
-
 def _layer(layer: Layer) -> MapLayer:
     found: Description = layer.description
     return MapLayer(
+        *problem_parts(layer.problem),
         id=layer.id,
         name=layer.name,
         kind=found.kind,
@@ -185,7 +182,6 @@ def _layer(layer: Layer) -> MapLayer:
         maximum_zoom=found.maximum_zoom,
         attribution=found.attribution,
         bytes=layer.size_bytes,
-        **problem_fields(layer.problem),
     )
 
 

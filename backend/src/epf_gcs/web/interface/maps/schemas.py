@@ -2,31 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from dataclasses import dataclass
+from typing import Annotated
 
 from pydantic import Field
 
-from epf_gcs.contract.shapes import Input, Output, ParamValue
-from epf_gcs.errors import ErrorCode, GatewayError
+from epf_gcs.contract.maps import MapProblem
+from epf_gcs.contract.shapes import Input, Output
 from epf_gcs.maps.layer import LayerFormat, LayerKind
 from epf_gcs.maps.sources import MAX_LIMIT_BYTES
 
 
-class MapProblem(Output):
-    """`problem`: one English sentence, None where all is well; code and values are for a sentence in other words."""
-
-    problem: str | None
-    problem_code: ErrorCode | None
-    problem_params: dict[str, ParamValue]
-
-
-def problem_fields(problem: GatewayError | None) -> dict[str, Any]:
-    """The three values of a MapProblem."""
-    if problem is None:
-        return {"problem": None, "problem_code": None, "problem_params": {}}
-    return {"problem": problem.detail, "problem_code": problem.code, "problem_params": problem.params}
-
-
+@dataclass(frozen=True, slots=True)
 class MapLayer(MapProblem):
     """A layer that can be chosen, or says why it cannot."""
 
@@ -51,19 +38,6 @@ class MapLayers(Output):
     layers: list[MapLayer]
 
 
-class MapImport(MapProblem):
-    """A file on its way into the folder. `percent` of the receiving, then of the converting; `layer`: its id in the
-    list once it is there."""
-
-    id: str
-    name: str
-    state: Literal["receiving", "converting", "done", "failed"]
-    bytes: int
-    total_bytes: int | None
-    percent: int | None
-    layer: str | None
-
-
 class OnlineSourceInput(Input):
     """A source of pictures. `url` has {z}, {x} and {y}, each once; its owner's terms are the operator's to keep."""
 
@@ -82,6 +56,7 @@ class OnlineInput(Input):
     sources: Annotated[list[OnlineSourceInput], Field(max_length=20)]
 
 
+@dataclass(frozen=True, slots=True)
 class OnlineSource(MapProblem):
     """A source, and whether it gives anything now. Its layer has the id `online-` and this one."""
 

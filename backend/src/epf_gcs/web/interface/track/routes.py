@@ -10,6 +10,7 @@ from typing import Annotated, Any, Final
 from fastapi import APIRouter, Query
 from fastapi.responses import Response, StreamingResponse
 
+from epf_gcs.contract.answers import TrackState
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.formats import aircraft_model, czml, gpx_track, kml, kmz
 from epf_gcs.formats.czml import MovingTrack, czml_pieces
@@ -24,7 +25,6 @@ from epf_gcs.track.tracks import Tracks
 from epf_gcs.web.interface.deps import OperatorDep, TracksDep
 from epf_gcs.web.interface.language import LanguageDep
 from epf_gcs.web.interface.missions.file_routes import attachment
-from epf_gcs.web.interface.track.schemas import TrackState
 from epf_gcs.web.serving.problems import problems, reading_problems
 from epf_gcs.web.vehicle.aircraft import Which
 
@@ -128,21 +128,21 @@ async def get_track_czml(flown: TracksDep, lang: LanguageDep, points: MostPoints
 @router.get("/track", responses=reading_problems())
 async def get_track(tracks: TracksDep) -> TrackState:
     """How long the drawn tracks are."""
-    return TrackState(**tracks.as_dict())
+    return tracks.state
 
 
 @router.post("/track/reset", responses=problems(409))
 async def reset_track(tracks: TracksDep, _: OperatorDep) -> TrackState:
     """Clear the drawn tracks; what is recorded stays."""
     tracks.reset()
-    return TrackState(**tracks.as_dict())
+    return tracks.state
 
 
 @router.post("/track/restore", responses=problems(409))
 async def restore_track(tracks: TracksDep, _: OperatorDep) -> TrackState:
     """Bring the track back that was cleared last, before what was flown since."""
     tracks.restore()
-    return TrackState(**tracks.as_dict())
+    return tracks.state
 
 
 def _named(tracks: Tracks, words: Words, most_points: int | None) -> list[tuple[str, list[Line]]]:

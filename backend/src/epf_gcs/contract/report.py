@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Literal
 
 from epf_gcs.contract.answers import FlightIdentity
-from epf_gcs.contract.shapes import Output, PlanName
+from epf_gcs.contract.base import PlanName, Shape
 
 ManoeuvreKind = Literal["climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"]
 LoopName = Literal["altitude", "heading", "speed"]
+NoManoeuvres = Literal["no_targets", "autopilot_off", "no_changes"]
 NotKnown = Literal["wind", "battery", "round_trip", "position", "speed", "gains", "gaps", "file", "lost"]
 
 
-class ReportTimes(Output):
+@dataclass(frozen=True, slots=True)
+class ReportTimes(Shape):
     """`airborne_s` is the time faster than 20 kt, `autopilot_s` that with an autopilot on; `started_s` Unix time."""
 
     started_s: float
@@ -21,7 +24,8 @@ class ReportTimes(Output):
     autopilot_s: float
 
 
-class ReportDistances(Output):
+@dataclass(frozen=True, slots=True)
+class ReportDistances(Shape):
     """Way over the ground, altitudes above the sea, and the highest rates over two seconds, both positive."""
 
     distance_nm: float | None
@@ -32,7 +36,8 @@ class ReportDistances(Output):
     sink_most_ft_min: float | None
 
 
-class ReportBattery(Output):
+@dataclass(frozen=True, slots=True)
+class ReportBattery(Shape):
     """Volts: the means of the first and the last ten seconds, and the lowest sample."""
 
     begin_v: float
@@ -41,7 +46,8 @@ class ReportBattery(Output):
     drop_v_per_hour: float | None
 
 
-class ReportRoundTrip(Output):
+@dataclass(frozen=True, slots=True)
+class ReportRoundTrip(Shape):
     """Milliseconds from a simulator frame sent to the board until its answer."""
 
     count: int
@@ -50,7 +56,8 @@ class ReportRoundTrip(Output):
     longest: float
 
 
-class ReportLink(Output):
+@dataclass(frozen=True, slots=True)
+class ReportLink(Shape):
     """What the board's line brought. A gap is a second or more without a byte while the line was open."""
 
     frames: int | None
@@ -62,7 +69,8 @@ class ReportLink(Output):
     round_trip_ms: ReportRoundTrip | None
 
 
-class ReportAlarm(Output):
+@dataclass(frozen=True, slots=True)
+class ReportAlarm(Shape):
     """An alarm that sounded: when first, how often, and for how long together; `lasted_s` is null where the recording
     ended before it did."""
 
@@ -73,14 +81,16 @@ class ReportAlarm(Output):
     count: int
 
 
-class ReportMark(Output):
+@dataclass(frozen=True, slots=True)
+class ReportMark(Shape):
     """Words that a person set at a moment."""
 
     at_s: float
     text: str
 
 
-class ReportTrace(Output):
+@dataclass(frozen=True, slots=True)
+class ReportTrace(Shape):
     """What the picture of a manoeuvre draws; `at_s` is counted from the manoeuvre's begin."""
 
     at_s: list[float]
@@ -88,7 +98,8 @@ class ReportTrace(Output):
     target: list[float | None]
 
 
-class ReportLeg(Output):
+@dataclass(frozen=True, slots=True)
+class ReportLeg(Shape):
     """The flight to a waypoint. `across`: distance from the straight line; errors are root mean squares of the
     leg's second half."""
 
@@ -100,7 +111,8 @@ class ReportLeg(Output):
     speed_error_kt: float | None
 
 
-class ReportManoeuvre(Output):
+@dataclass(frozen=True, slots=True)
+class ReportManoeuvre(Shape):
     """A manoeuvre and how the loop answered it. Times are counted from its begin; `size` is the step of the target
     (of a leg its seconds), and `start`, `target`, `final`, `peak` and `steady_error` have the unit `unit`.
 
@@ -141,7 +153,8 @@ class ReportManoeuvre(Output):
     earlier: int | None
 
 
-class ReportLoop(Output):
+@dataclass(frozen=True, slots=True)
+class ReportLoop(Shape):
     """The medians of one loop over all its manoeuvres that have figures."""
 
     loop: LoopName
@@ -154,7 +167,8 @@ class ReportLoop(Output):
     damping: float | None
 
 
-class ReportEffect(Output):
+@dataclass(frozen=True, slots=True)
+class ReportEffect(Shape):
     """How a loop flew in a stretch: medians of the manoeuvres that lie in it whole, and the root mean square of its
     error all the time (null for less than ten seconds of it)."""
 
@@ -169,7 +183,8 @@ class ReportEffect(Output):
     damping: float | None
 
 
-class ReportGain(Output):
+@dataclass(frozen=True, slots=True)
+class ReportGain(Shape):
     """A gain that was changed in flight, and its loop before and after; null for gains that belong to no loop."""
 
     name: str
@@ -181,7 +196,8 @@ class ReportGain(Output):
     later: ReportEffect | None
 
 
-class GainDifference(Output):
+@dataclass(frozen=True, slots=True)
+class GainDifference(Shape):
     """A gain that had another value at the end of the earlier flight."""
 
     name: str
@@ -189,7 +205,8 @@ class GainDifference(Output):
     after: float
 
 
-class EarlierFlight(Output):
+@dataclass(frozen=True, slots=True)
+class EarlierFlight(Shape):
     """The flight that this one is compared with."""
 
     flight: str
@@ -202,7 +219,8 @@ class EarlierFlight(Output):
     gains: list[GainDifference]
 
 
-class FlightReport(Output):
+@dataclass(frozen=True, slots=True)
+class FlightReport(Shape):
     """What a test pilot writes after landing. `unknown` lists what the recording does not say, `no_manoeuvres` why
     none was found; `gains_known` are the gains at the end."""
 
@@ -215,7 +233,7 @@ class FlightReport(Output):
     alarms: list[ReportAlarm]
     marks: list[ReportMark]
     manoeuvres: list[ReportManoeuvre]
-    no_manoeuvres: Literal["no_targets", "autopilot_off", "no_changes"] | None
+    no_manoeuvres: NoManoeuvres | None
     loops: list[ReportLoop]
     gains: list[ReportGain]
     gains_known: dict[str, float]
