@@ -36,7 +36,7 @@ def run() -> list[Row]:
         first_ms: list[float] = []
         zoom_ms: list[float] = []
         for _ in range(5):
-            flight = IndexedFlight(folder, [], int(t_ns[0]), int(t_ns[-1]), Columns(), "")
+            flight = IndexedFlight(folder, [], int(t_ns[0]), int(t_ns[-1]), columns=Columns())
             periods = PeriodCache()
             first_ms.append(_ask_ms(flight, periods, 0.0, 7200.0))
             zoom_ms += [

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import re
 import shutil
 import subprocess
 import sys
@@ -85,3 +87,27 @@ def test_no_hand_written_file_grows_beyond_what_one_reads_at_once() -> None:
         if "_gen." not in file.name and (lines := len(file.read_text().splitlines())) > 350
     }
     assert long == {}
+
+
+def test_no_constructor_asks_for_more_than_seven_things_or_five_by_position() -> None:
+    """What belongs together is one value, and what could be mistaken for another is given by name."""
+    constructors = [
+        (node.name, method.args)
+        for file in (BACKEND / "src").rglob("*.py")
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.ClassDef)
+        for method in node.body
+        if isinstance(method, ast.FunctionDef) and method.name == "__init__"
+    ]
+    assert len(constructors) > 200
+    counts = {name: (len(args.posonlyargs + args.args) - 1, len(args.kwonlyargs)) for name, args in constructors}
+    assert {name: count for name, count in counts.items() if count[0] > 5 or sum(count) > 7} == {}
+
+
+def test_few_things_pass_inside_as_dictionaries_of_anything() -> None:
+    """Facts of the project have types; what is left is JSON of others, and what frameworks hand over."""
+    found = {
+        str(file.relative_to(BACKEND)): len(re.findall(r"(?:dict|Mapping)\[str, Any\]", file.read_text()))
+        for file in (BACKEND / "src").rglob("*.py")
+    }
+    assert sum(found.values()) < 100, {name: count for name, count in found.items() if count}

@@ -11,6 +11,7 @@ from epf_gcs.access.caller import LOCAL, Caller
 from epf_gcs.access.changes import Page
 from epf_gcs.access.control import Control
 from epf_gcs.access.roles import Role
+from epf_gcs.contract.base import PageFacts
 from epf_gcs.contract.events import Event
 from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.contract.notices import ControlChange, Notice, StickRelease
@@ -241,9 +242,9 @@ def test_a_new_name_is_on_all_pages_of_the_session_with_their_numbers(desk: Desk
 
 def test_who_had_control_before_a_restart_has_its_id_and_control_again_and_only_it() -> None:
     desk = Desk()
-    about = {"session": ANA.session, "kind": "person", "number": 1}
+    about = PageFacts(ANA.session, "person", 1)
     desk.control.restore(ControlHolder("a", "Ana", about))
-    desk.control.restore(ControlHolder("b", "Bea", {"session": BEA.session}))
+    desk.control.restore(ControlHolder("b", "Bea", PageFacts(BEA.session)))
     assert desk.control.client_for("a", BEA) != "a"
     desk.open("b", BEA)
     assert desk.control.state().client is None

@@ -14,9 +14,12 @@ from epf_gcs import __version__
 from epf_gcs.bus.channel import Channel
 from epf_gcs.bus.definition import Client, Decoder, Kind, unpack_named
 from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.contract.base import PageFacts
 from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.udp import UdpLink
+from epf_gcs.vehicle.alarms import Alarm
+from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.restart import Restart
 
 pytestmark = pytest.mark.anyio
@@ -81,8 +84,8 @@ async def test_a_board_that_started_anew_is_told_with_what_was_lost_by_it(tmp_pa
     station = Station(flight)
     flight.parameters._unstored = {"k_roll": None}
     flight.missions._known = {"flight": None}
-    flight._on_restarted(Restart(1.0, 120))
-    flight._on_restarted(Restart(2.0, None))
+    flight.on_restarted(Restart(1.0, 120))
+    flight.on_restarted(Restart(2.0, None))
     assert station.records == [
         ("board_restarted", {"silent_s": None, "uptime_ms": 120, "parameters": ["k_roll"], "plans": ["flight"]}),
         ("board_restarted", {"silent_s": None, "uptime_ms": None, "parameters": [], "plans": []}),
@@ -110,10 +113,10 @@ async def test_a_station_is_greeted_with_whose_controls_they_are_or_were_until_j
     assert (hello.version, hello.vehicle, hello.control) == (__version__, "live", None)
     assert hello.clock_offset_ns == flight.clock.offset_ns
     assert hello.status.board.state == "closed"
-    ana = Client("c1", "Ana", {"address": "192.0.2.7"})
+    ana = Client("c1", "Ana", PageFacts("session-a"))
     for holder, kept in ((ana, None), (None, ana)):
         flight.stick.control_changed(holder, kept)
-        assert flight._hello().control == ControlHolder("c1", "Ana", {"address": "192.0.2.7"})
+        assert flight._hello().control == ControlHolder("c1", "Ana", PageFacts("session-a"))
 
 
 async def test_a_board_that_moves_the_surfaces_of_a_simulator_flies(
@@ -180,7 +183,7 @@ async def test_gains_of_a_board_that_opened_anew_or_whose_line_has_gone_are_not_
         return known()
 
     assert loaded()
-    flight._on_opened()
+    flight.on_opened()
     assert not known()
     assert loaded()
     flight.on_line()
@@ -195,11 +198,11 @@ async def test_who_acknowledges_an_unconfirmed_gain_knows_of_it_and_of_another_a
     flight = Flight(tmp_path, record=False)
     station = Station(flight)
     flight.parameters.unconfirmed = ("k_roll",)
-    flight._on_acknowledged("battery_low")
+    flight.on_alarm("acknowledged", Alarm(Finding("battery_low", "warning", "It is low."), 1.0))
     assert list(flight.parameters.unconfirmed) == ["k_roll"]
     await a_moment()
     assert station.names() == ["STATUS"]
-    flight._on_acknowledged("parameter_not_confirmed")
+    flight.on_alarm("acknowledged", Alarm(Finding("parameter_not_confirmed", "warning", "k_roll."), 1.0))
     assert list(flight.parameters.unconfirmed) == []
 
 

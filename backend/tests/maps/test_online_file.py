@@ -9,8 +9,9 @@ import pytest
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.maps.online_file import OnlineFile
+from epf_gcs.maps.sources import OnlineChoice
 
-CHOICE = {"enabled": True, "limit_bytes": 5, "sources": []}
+CHOICE = OnlineChoice(enabled=True, limit_bytes=5, sources=())
 
 
 def a_file(folder: Path) -> tuple[OnlineFile, list[GatewayError]]:
@@ -19,7 +20,7 @@ def a_file(folder: Path) -> tuple[OnlineFile, list[GatewayError]]:
 
 
 def test_a_choice_is_read_back_by_the_next_run(tmp_path: Path) -> None:
-    assert a_file(tmp_path / "data")[0].read() == {}
+    assert a_file(tmp_path / "data")[0].read() == OnlineChoice()
     a_file(tmp_path / "data")[0].write(CHOICE)
     assert a_file(tmp_path / "data")[0].read() == CHOICE
 
@@ -37,7 +38,7 @@ def test_the_new_file_is_on_the_disk_before_it_takes_the_old_one_s_place(
 def test_a_file_that_makes_no_sense_is_reported_and_kept_aside(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "online-maps.json").write_bytes(content)
     file, reported = a_file(tmp_path)
-    assert file.read() == {}
+    assert file.read() == OnlineChoice()
     (aside,) = tmp_path.glob("online-maps.json.damaged-*")
     assert aside.read_bytes() == content
     assert [error.code for error in reported] == ["memory_unreadable"]
@@ -49,6 +50,6 @@ def test_a_file_that_makes_no_sense_is_reported_and_kept_aside(tmp_path: Path, c
 def test_a_disk_that_refuses_is_reported(tmp_path: Path) -> None:
     (tmp_path / "online-maps.json").mkdir()
     file, reported = a_file(tmp_path)
-    assert file.read() == {}
+    assert file.read() == OnlineChoice()
     file.write(CHOICE)
     assert [error.code for error in reported] == ["memory_unreadable", "memory_not_written"]

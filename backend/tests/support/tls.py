@@ -188,7 +188,9 @@ def open_door(
 
     async def serve() -> None:
         asker = context if callable(context) else lambda: context
-        doorway = Doorway(listener, asker, handed_over(encrypted), handed_over(plain), visitors, handshakes)
+        doorway = Doorway(
+            listener, asker, handed_over(encrypted), handed_over(plain), visitors=visitors, handshakes=handshakes
+        )
         ready.set()
         await end.wait()
         doorway.close()

@@ -57,11 +57,16 @@ class Rig:
         self.outlet = KeptOutlet()
         self.errors = ErrorLog()
         self.telemetry = Telemetry(self.outlet, self.clock, lambda _: 1.0)
-        self.board = Board(self.clock, self.outlet, self.telemetry, self.errors)
         self.opened = 0
         self.restarts: list[Restart] = []
-        self.board.on_opened = self._opened
-        self.board.on_restarted = self.restarts.append
+        self.board = Board(
+            self.clock,
+            self.outlet,
+            self.telemetry,
+            self.errors,
+            on_opened=self._opened,
+            on_restarted=self.restarts.append,
+        )
         self.line = Line()
 
     def _opened(self) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import asdict
 from typing import Final, cast
 
 import msgspec
@@ -168,7 +167,8 @@ def test_what_is_kept_goes_on_as_it_was() -> None:
     flown, again = Flown(), Flown()
     flown.fly(1.0)
     flown.send(0.2)
-    again.motion.state = msgspec.convert(json.loads(json.dumps(asdict(flown.motion.state))), MotionState, str_keys=True)
+    kept = json.dumps(msgspec.to_builtins(flown.motion.kept()))
+    again.motion.restore(msgspec.convert(json.loads(kept), MotionState, str_keys=True))
     again.rows, again.now_s = dict(flown.rows), flown.now_s
     for one in (flown, again):
         one.send(0.2)
@@ -176,7 +176,7 @@ def test_what_is_kept_goes_on_as_it_was() -> None:
         one.change(20, 1, 0.0)
         one.send()
     assert again.jumps == flown.jumps
-    assert again.motion.state == flown.motion.state
+    assert again.motion.kept() == flown.motion.kept()
 
 
 def test_of_another_simulator_nothing_is_known() -> None:

@@ -17,6 +17,7 @@ from epf_gcs.access.roles import Role, RoleName
 from epf_gcs.access.watch import LOOK_EVERY_S, Line, Watch
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
+from epf_gcs.contract.base import PageFacts
 from epf_gcs.contract.events import ControlEvent, ControlRequestEndEvent, ControlRequestEvent, Event, PageName
 from epf_gcs.contract.hello import ControlHolder
 from epf_gcs.contract.notices import ControlChange, Notice, StickRelease
@@ -140,9 +141,8 @@ class Control:
         """Keep control for the page that had it before a restart, as `tell_flight` told it."""
         if self._rules.holder is None and self._rules.last is None:
             about = kept.about
-            session, number = str(about.get("session", "")), int(about.get("number", 1))
-            page = Page(kept.client, session, about.get("kind", "person"), kept.name, number, Role.operator)
-            self._belongs(page.client, session)
+            page = Page(kept.client, about.session, about.kind, kept.name, about.number, Role.operator)
+            self._belongs(page.client, about.session)
             self._apply(self._rules.restore(page, self._clock.steady_s()))
             self._looking.arm(LOOK_EVERY_S)
 
@@ -156,7 +156,7 @@ class Control:
         if page is None:
             self._told.notice(ControlChange())
             return
-        about = {"session": page.session, "kind": page.kind, "number": page.number}
+        about = PageFacts(page.session, page.kind, page.number)
         kept = self._rules.holder is None
         self._told.notice(ControlChange(page.client, page.name, about, kept))
 

@@ -34,6 +34,7 @@ from typing import Any, Final, NamedTuple, TypeVar
 import msgspec
 import orjson
 
+from epf_gcs.contract.base import PageFacts
 from epf_gcs.contract.events import Event
 from epf_gcs.contract.notices import Notice
 from epf_gcs.contract.requests import Request
@@ -73,12 +74,11 @@ class Asker:
 
 @dataclass(frozen=True, slots=True)
 class Client:
-    """A page on the stream. `name` is its name as others see it; `about`: what a station wants to be told again of it
-    when it has been restarted, which nobody else reads."""
+    """A page on the stream. `name` is its name as others see it."""
 
     id: str
     name: str
-    about: dict[str, Any] = field(default_factory=dict, compare=False)
+    about: PageFacts = field(default_factory=PageFacts, compare=False)
 
 
 class BusError(Exception):

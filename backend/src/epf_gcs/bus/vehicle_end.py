@@ -27,6 +27,7 @@ from epf_gcs.bus.definition import (
     unpack_numbered,
 )
 from epf_gcs.bus.faults import fault_of
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.events import Event
 from epf_gcs.contract.hello import Hello
 from epf_gcs.contract.notices import Notice, Pace
@@ -203,7 +204,7 @@ class VehicleEnd:
         broadcast: Broadcast,
         *,
         hello: Callable[[], Hello],
-        samples: Callable[[], list[tuple[str, float, Mapping[str, Any]]]],
+        samples: Callable[[], list[tuple[str, float, Values]]],
         requests: Handlers,
         on_notice: Callable[[Notice], None],
         on_gone: Callable[[], None],

@@ -65,6 +65,17 @@ class Damage(NamedTuple):
         """True for a failed candidate; False for bytes that are only noise or remains."""
         return self.kind not in ("noise", "remains")
 
+    @property
+    def text(self) -> str | None:
+        """A text line of the board's shell, "" for white space; None if the bytes are not printable text."""
+        data = self.data.strip(b"\r\n\t ")
+        if self.kind != "noise" or not data.isascii():
+            return None
+        text = data.decode("ascii")
+        if not text:
+            return "" if self.data else None
+        return text if text.isprintable() else None
+
 
 @dataclass(frozen=True, slots=True)
 class Direction:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any, ClassVar, Literal
 
 Values = Mapping[str, Any]
@@ -18,6 +19,15 @@ SimulatorProfile = Literal["xp10", "xp12"]
 PageKind = Literal["local", "person", "program"]
 """A page of this computer, of a person, or a program."""
 RoleName = Literal["viewer", "operator", "owner"]
+
+
+@dataclass(frozen=True, slots=True)
+class PageFacts:
+    """What a station wants to be told again of a page with control when it has been restarted; nobody else reads it."""
+
+    session: str = ""
+    kind: PageKind = "person"
+    number: int = 1
 
 
 def _without_defaults(schema: dict[str, Any]) -> None:

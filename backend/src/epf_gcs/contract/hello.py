@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
+from epf_gcs.contract.base import PageFacts
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.status import Status
 
@@ -16,7 +16,7 @@ class ControlHolder:
 
     client: str
     name: str
-    about: Mapping[str, Any] = field(default_factory=dict)
+    about: PageFacts = field(default_factory=PageFacts)
 
 
 @dataclass(frozen=True, slots=True)

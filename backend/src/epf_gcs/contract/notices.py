@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from epf_gcs.contract.base import PageFacts
+
 
 class Notice:
     """The base of all notices. One that cannot be read is dropped."""
@@ -39,12 +41,12 @@ class StickRelease(Notice):
 class ControlChange(Notice):
     """The page that has control, or that has just lost it and may come back (`kept`); None: nobody.
 
-    `about`: what the station wants to be told again of it when it has been restarted.
+    `about` is told to the station again when it has been restarted.
     """
 
     client: str | None = None
     name: str | None = None
-    about: Mapping[str, Any] = field(default_factory=dict)
+    about: PageFacts = field(default_factory=PageFacts)
     kept: bool = False
 
 

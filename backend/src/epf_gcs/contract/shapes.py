@@ -13,11 +13,16 @@ ParamValue = str | float | bool | None
 Port = Annotated[int, Field(ge=1, le=65535)]
 PlanName = Literal["flight", "hil"]
 
-FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
+Description = dict[str, Any]
+"""A piece of the interface's description, as OpenAPI has it."""
+Answers = dict[int | str, Description]
+"""How a route can answer, by HTTP status."""
+
+FILE: Final[Description] = {"schema": {"type": "string", "format": "binary"}}
 """How the interface's description says that an answer is a file."""
 
 
-def file_body(**limits: int) -> dict[str, Any]:
+def file_body(**limits: int) -> Description:
     """The same of a request whose body is a file. `limits` as JSON Schema has them, such as maxLength in bytes."""
     schema = {**FILE["schema"], **limits}
     return {"requestBody": {"required": True, "content": {"application/octet-stream": {"schema": schema}}}}

@@ -15,14 +15,15 @@ from pathlib import Path
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.vehicle_end import Handlers, VehicleEnd
-from epf_gcs.contract.alarm_ids import AlarmId
+from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.answers import Sample
+from epf_gcs.contract.base import PlanName
 from epf_gcs.contract.events import BoardRestartEvent, LinkEvent
 from epf_gcs.contract.hello import ControlHolder, Hello
 from epf_gcs.contract.status import Status
 from epf_gcs.flight.clock.clock_watch import ClockWatch
 from epf_gcs.flight.memory.flight_log import FlightLog
-from epf_gcs.flight.parts import make_alarms, make_board, make_common, make_loop, make_recorder
+from epf_gcs.flight.parts import make_alarms, make_board, make_common, make_loop
 from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.lines import line_requests
@@ -36,6 +37,7 @@ from epf_gcs.flight.state.line_rates import LineRates
 from epf_gcs.flight.state.sources import StateSources
 from epf_gcs.flight.state.status import build_status
 from epf_gcs.repeating import Repeating, keep_alive
+from epf_gcs.vehicle.alarms import Alarm, News
 from epf_gcs.vehicle.restart import Restart
 
 
@@ -47,21 +49,21 @@ class Flight:
         self._board_url = board_url
         self._sending = Repeating(asyncio.get_running_loop(), "the status", self._send_status)
 
-        common = make_common(data_dir)
+        common = make_common(data_dir, self, record=record)
         self.clock, self.outlet, self.errors, self.memory = common.clock, common.outlet, common.errors, common.memory
-        self.recorder = make_recorder(common) if record else None
-        board = make_board(common, self.recorder, self)
+        self.recorder, self.notes = common.recorder, common.notes
+        self._log = FlightLog(self.clock.steady_s)
+        board = make_board(common, self)
         self.board, self.telemetry, self.commands = board.vehicle.board, board.vehicle.telemetry, board.commands
         self.parameters, self.missions, self.journal = board.parameters, board.missions, board.journal
-        self.rearming, self.notes = board.rearming, board.notes
+        self.rearming = board.rearming
         loop = make_loop(common, board, self)
         self.stick, self.hil, self.ahrs_test, self.switches = loop.stick, loop.hil, loop.ahrs_test, loop.switches
         self.simulator, self.supervisor, self.lines = loop.simulator, loop.supervisor, loop.lines
         self.rates = LineRates()
-        watched = make_alarms(common, board, loop)
+        watched = make_alarms(common, board, loop, self)
         self.watch, self.alarms, self._alarm_history = watched.watch, watched.alarms, watched.history
 
-        self._log = FlightLog(self.clock.steady_s)
         self._known = self._make_known()
         self.sources = self._make_sources()
         self._housekeeping = Housekeeping(
@@ -74,11 +76,21 @@ class Flight:
         )
         self._advised = AdviceWatch(self.sources, self.outlet)
         self._requests = common.client_names.remembering(self._make_requests(board.vehicle.newest))
-        self._connect()
+        # Each of these is made from the other.
+        self.board.on_urgent = self.hil.on_urgent
+        self.commands.on_done = self.rearming.command_done
+        self._known.identity()
 
     def _make_known(self) -> KnownNotes:
-        noted = (self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
-        return KnownNotes(*noted, self.memory.now.aircraft)
+        return KnownNotes(
+            self.notes,
+            self.board,
+            parameters=self.parameters,
+            stick=self.stick,
+            supervisor=self.supervisor,
+            simulator=self.simulator,
+            aircraft=self.memory.now.aircraft,
+        )
 
     def _make_sources(self) -> StateSources:
         return StateSources(
@@ -110,16 +122,6 @@ class Flight:
             **alarm_requests(self.alarms, self.watch.battery),
             **recording_requests(self.recorder, self.notes, self._known, self.memory, self.outlet),
         }
-
-    def _connect(self) -> None:
-        """Connect parts that need each other and so cannot both get the other at construction."""
-        self._known.listen(self.outlet, self.missions)
-        self.board.on_urgent = self.hil.on_urgent
-        self.board.on_opened = self._on_opened
-        self.board.on_restarted = self._on_restarted
-        self.commands.on_done = self.rearming.command_done
-        self.alarms.on_acknowledged = self._on_acknowledged
-        self.alarms.on_news = lambda news, alarm: self._log.alarm(news, alarm.state)
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
@@ -201,24 +203,40 @@ class Flight:
             self.hil.rest()
         self.changed()
 
-    def _on_opened(self) -> None:
+    def on_opened(self) -> None:
+        """Commands can be sent to the board."""
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.
         self._known.identity()
         self._known.forget_plans()
         self.parameters.forget()
         self.rearming.board_opened()
 
-    def _on_restarted(self, restart: Restart) -> None:
+    def on_restarted(self, restart: Restart) -> None:
         """The board lost what was not stored on its card: report what that was."""
         self._log.board_restarted(restart.uptime_ms)
         self._known.forget_plans()
         parameters, plans = list(self.parameters.take_unstored()), list(self.missions.take_known())
         self.outlet.event(BoardRestartEvent(uptime_ms=restart.uptime_ms, parameters=parameters, plans=plans))
 
-    def _on_acknowledged(self, alarm: AlarmId) -> None:
-        if alarm == "parameter_not_confirmed":
-            self.parameters.accept_unconfirmed()
-        self.changed()
+    def on_parameters(self) -> None:
+        """Gains have changed."""
+        self._known.parameters()
+
+    def on_plan_read(self, plan: PlanName, waypoints: list[Waypoint]) -> None:
+        """A plan was read from the board."""
+        self._known.plan(plan, waypoints)
+
+    def on_holder(self) -> None:
+        """Another page, or none, has control."""
+        self._known.holder()
+
+    def on_alarm(self, news: News, alarm: Alarm) -> None:
+        """An alarm came, went or was acknowledged."""
+        self._log.alarm(news, alarm.state)
+        if news == "acknowledged":
+            if alarm.finding.id == "parameter_not_confirmed":
+                self.parameters.accept_unconfirmed()
+            self.changed()
 
     def on_line(self) -> None:
         """A line opened, was lost or closed."""

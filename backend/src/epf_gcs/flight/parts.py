@@ -1,6 +1,6 @@
 """The parts of the flight process in groups, each made by a function from the groups before it.
 
-common -> recording -> board -> loop (HIL and both lines) -> alarms
+common (recording too) -> board -> loop (HIL and both lines) -> alarms
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Protocol
 
 from epf_gcs import __version__
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.base import PlanName
 from epf_gcs.contract.events import ErrorEvent
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -31,10 +33,11 @@ from epf_gcs.flight.recording.taps import line_taps
 from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.hil import HilSwitches
 from epf_gcs.flight.state.alarm_history import AlarmHistory
-from epf_gcs.flight.state.lines import Lines, LinkOpener
+from epf_gcs.flight.state.lines import BothLines, Lines, LinkOpener
 from epf_gcs.flight.state.watch import Watch
 from epf_gcs.repeating import log_and_count_failures
-from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.alarms import Alarm, Alarms, News
+from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.surroundings import ToldSurroundings
 from epf_gcs.vehicle.vehicle import Vehicle
 
@@ -57,6 +60,24 @@ class Owner(Protocol):
     def flies(self) -> bool:
         """Whether the board flies something, and must keep hearing commands."""
 
+    def on_opened(self) -> None:
+        """Commands can be sent to the board."""
+
+    def on_restarted(self, restart: Restart) -> None:
+        """The board has lost what it was told."""
+
+    def on_parameters(self) -> None:
+        """Gains have changed."""
+
+    def on_plan_read(self, plan: PlanName, waypoints: list[Waypoint]) -> None:
+        """A plan was read from the board."""
+
+    def on_holder(self) -> None:
+        """Another page, or none, has control."""
+
+    def on_alarm(self, news: News, alarm: Alarm) -> None:
+        """An alarm came, went or was acknowledged."""
+
 
 @dataclass(frozen=True, slots=True)
 class Common:
@@ -64,28 +85,32 @@ class Common:
 
     folder: Path
     clock: LineClock
+    recorder: Recorder | None
+    notes: FlightNotes
     outlet: NotedBroadcast
     errors: ErrorLog
     memory: Memory
     client_names: ClientNames
 
 
-def make_common(folder: Path) -> Common:
+def make_common(folder: Path, owner: Owner, *, record: bool) -> Common:
     """`folder`: of the station's data. Called on the running loop, whose failures it counts from now on."""
     clock = LineClock()
-    outlet = NotedBroadcast(clock)
+    # Writes every byte of both lines, before anybody decodes it.
+    recorder = Recorder(folder / "recordings", clock, f"epf-gcs {__version__}") if record else None
+    notes = FlightNotes(recorder, clock)
+    outlet = NotedBroadcast(clock, notes, owner.on_parameters)
     errors = ErrorLog()
     log_and_count_failures(asyncio.get_running_loop(), "flight", lambda: errors.count("internal"))
     errors.tell_viewers(clock.steady_s, lambda *told: outlet.event(ErrorEvent.of(*told)))
-    return Common(folder, clock, outlet, errors, Memory(folder / "state.json", errors.report), ClientNames())
+    memory = Memory(folder / "state.json", errors.report)
+    return Common(folder, clock, recorder, notes, outlet, errors, memory, ClientNames())
 
 
 @dataclass(frozen=True, slots=True)
 class BoardParts:
     """The board as it is known, recorded before it is decoded, and what can be asked of it."""
 
-    recorder: Recorder | None
-    notes: FlightNotes
     vehicle: Vehicle
     commands: Commands
     journal: Journal
@@ -94,11 +119,13 @@ class BoardParts:
     rearming: Rearmer
 
 
-def make_board(common: Common, recorder: Recorder | None, owner: Owner) -> BoardParts:
-    """`recorder` None: nothing is recorded."""
+def make_board(common: Common, owner: Owner) -> BoardParts:
+    """The vehicle, and who sends to it."""
     memory, outlet = common.memory, common.outlet
     period_s = lambda rate: memory.now.wanted.period_s(rate)  # noqa: E731, PLW0108 (`now` is replaced)
-    vehicle = Vehicle(common.clock, outlet, common.errors, period_s)
+    vehicle = Vehicle(
+        common.clock, outlet, common.errors, period_s, on_opened=owner.on_opened, on_restarted=owner.on_restarted
+    )
     board = vehicle.board
     commands = Commands(board, vehicle.telemetry, outlet, common.clock, common.errors)
     journal = Journal(
@@ -117,14 +144,8 @@ def make_board(common: Common, recorder: Recorder | None, owner: Owner) -> Board
         on_change=owner.changed,
     )
     parameters = Parameters(board, commands, outlet, journal)
-    missions = Missions(board, commands, outlet)
-    notes = FlightNotes(recorder, common.clock)
-    return BoardParts(recorder, notes, vehicle, commands, journal, parameters, missions, rearming)
-
-
-def make_recorder(common: Common) -> Recorder:
-    """Writes every byte of both lines, before anybody decodes it."""
-    return Recorder(common.folder / "recordings", common.clock, f"epf-gcs {__version__}")
+    missions = Missions(board, commands, outlet, owner.on_plan_read)
+    return BoardParts(vehicle, commands, journal, parameters, missions, rearming)
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +156,7 @@ class LoopParts:
     hil: Hil
     simulator: Simulator
     supervisor: Supervisor
+    both: BothLines
     lines: Lines
     switches: HilSwitches
     ahrs_test: AhrsTestRun
@@ -144,21 +166,27 @@ def make_loop(common: Common, parts: BoardParts, owner: Owner) -> LoopParts:
     """The supervisor opens the board's line, `lines` both on request."""
     clock, memory, report = common.clock, common.memory, common.errors.report
     board, vehicle = parts.vehicle.board, parts.vehicle
-    board_tap, simulator_tap = parts.recorder.taps if parts.recorder else line_taps(clock, None)
-    stick = Stick(common.outlet, clock, owner.changed)
+    board_tap, simulator_tap = common.recorder.taps if common.recorder else line_taps(clock, None)
+    stick = Stick(common.outlet, clock, owner.changed, owner.on_holder)
     hil = Hil(vehicle, clock, stick)
     hil.path = "assisted" if memory.now.hil_path == "assisted" else "manual"
     simulator = Simulator(hil, clock, simulator_tap, report, owner.on_line)
     opener = LinkOpener(hil, lambda: simulator.address is not None)
-    supervisor = Supervisor(board, clock, board_tap, report, owner.on_line, owner.may_wait, opener)
+    supervisor = Supervisor(
+        board,
+        clock,
+        board_tap,
+        report=report,
+        on_change=owner.on_line,
+        may_wait=owner.may_wait,
+        open_link=opener,
+    )
+    both = BothLines(board, supervisor, simulator, hil)
     lines = Lines(
-        board=board,
-        supervisor=supervisor,
-        simulator=simulator,
-        hil=hil,
+        both,
         parameters=parts.parameters,
         memory=memory,
-        recorder=parts.recorder,
+        recorder=common.recorder,
         on_change=owner.changed,
     )
     switches = HilSwitches(
@@ -166,14 +194,14 @@ def make_loop(common: Common, parts: BoardParts, owner: Owner) -> LoopParts:
         commands=parts.commands,
         hil=hil,
         memory=memory,
-        notes=parts.notes,
+        notes=common.notes,
         errors=common.errors,
         on_change=owner.changed,
     )
     ahrs_test = AhrsTestRun(
         vehicle=vehicle, clock=clock, errors=common.errors, flies=owner.flies, changed=owner.on_ahrs_test
     )
-    return LoopParts(stick, hil, simulator, supervisor, lines, switches, ahrs_test)
+    return LoopParts(stick, hil, simulator, supervisor, both, lines, switches, ahrs_test)
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,17 +213,14 @@ class AlarmParts:
     alarms: Alarms
 
 
-def make_alarms(common: Common, parts: BoardParts, loop: LoopParts) -> AlarmParts:
+def make_alarms(common: Common, parts: BoardParts, loop: LoopParts, owner: Owner) -> AlarmParts:
     """The watch looks at all lines; the alarms ask it."""
     memory = common.memory
     watch = Watch(
-        supervisor=loop.supervisor,
-        board=parts.vehicle.board,
+        loop.both,
         telemetry=parts.vehicle.telemetry,
         parameters=parts.parameters,
-        simulator=loop.simulator,
-        hil=loop.hil,
-        recorder=parts.recorder,
+        recorder=common.recorder,
         steady_s=common.clock.steady_s,
         wants=lambda stream: stream in memory.now.wanted.streams,
         surroundings=ToldSurroundings(
@@ -210,5 +235,6 @@ def make_alarms(common: Common, parts: BoardParts, loop: LoopParts) -> AlarmPart
         lambda chosen: memory.update(thresholds=chosen),
         past=history.past,
         on_past=history.keep,
+        on_news=owner.on_alarm,
     )
     return AlarmParts(watch, history, alarms)

@@ -15,9 +15,9 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from epf_gcs.codec.messages_gen import DATAGRAM_MAGIC, NO_VALUE, VALUES_PER_ROW, XPLANE_ROWS
+from epf_gcs.contract.base import Values
 from epf_gcs.flights.convert import T_NS
 from epf_gcs.recordings.parts import Messages
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.simulator_samples import SimulatorSamples
 from epf_gcs.xplane.mapping import INFO_SOURCES, NEEDED_ROWS, TRACK_NAME, TRACK_ROW, in_our_unit
 

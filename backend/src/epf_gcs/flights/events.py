@@ -16,7 +16,7 @@ from epf_gcs.contract.flights import EventKind, FlightEvent, FlightEvents
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.flight_data import Damage, FlightData
 from epf_gcs.recordings import notes
-from epf_gcs.recordings.notes import Note
+from epf_gcs.recordings.notes import Content, Note
 
 FILE: Final = "events.parquet"
 
@@ -59,7 +59,7 @@ class Event:
     t_ns: int
     kind: EventKind
     name: str
-    data: dict[str, Any]
+    data: Content
     until_ns: int | None = None
     id: str | None = None
 
@@ -152,7 +152,7 @@ def _is_lost_or_back(states: Mapping[str, object], lost: set[str]) -> bool:
     return is_news
 
 
-def _from_stream(t_ns: int, content: dict[str, Any]) -> Event:
+def _from_stream(t_ns: int, content: Content) -> Event:
     kind = str(content["event"])
     data = content["data"] if isinstance(content.get("data"), dict) else {}
     return Event(t_ns, _KINDS[kind], str(data.get(_NAMES.get(kind, ""), "") or ""), data)

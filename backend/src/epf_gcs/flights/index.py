@@ -41,7 +41,7 @@ def run(arguments: list[str], say: Say) -> dict[str, str | int]:
     if counts.first_ns is None or counts.last_ns is None:
         raise InvalidInputError("recording_empty", "This recording holds no message.")
     say(_SHARE, "events")
-    flight = IndexedFlight(written.folder, written.notes, counts.first_ns, counts.last_ns, Columns(), "")
+    flight = IndexedFlight(written.folder, written.notes, counts.first_ns, counts.last_ns, columns=Columns())
     events = find_events(flight, counts.gaps, flight.damage(DAMAGE))
     write_events(written.folder / FILE, events)
     say(0.97, "figures")

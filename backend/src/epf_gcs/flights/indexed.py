@@ -83,8 +83,9 @@ class IndexedFlight:
         noted: list[Note] | Callable[[], list[Note]],
         start_ns: int,
         end_ns: int,
+        *,
         columns: Columns,
-        stamp: str,
+        stamp: str = "",
     ) -> None:
         self.start_ns = start_ns
         self.end_ns = end_ns
@@ -138,7 +139,9 @@ def open_indexed(folder: Path, recording: Path, columns: Columns) -> IndexedFlig
         stamp = str((folder / SUMMARY).stat().st_mtime_ns)
     except (OSError, ValueError) as error:
         raise not_indexed(recording.stem) from error
-    return IndexedFlight(folder, lambda: notes_of(recording), summary.started_ns, summary.ended_ns, columns, stamp)
+    return IndexedFlight(
+        folder, lambda: notes_of(recording), summary.started_ns, summary.ended_ns, columns=columns, stamp=stamp
+    )
 
 
 def not_indexed(flight: str) -> ConflictError:

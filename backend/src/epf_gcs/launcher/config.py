@@ -40,6 +40,10 @@ def default_file() -> Path | None:
     return None if source_tree() is not None else user_config_path("epf-gcs", appauthor=False) / NAME
 
 
+Entries = dict[str, Any]
+"""What a config file says; each value is checked by `_check`."""
+
+
 @dataclass(frozen=True, slots=True)
 class Entry:
     """What one entry may be: `kind` is bool, int or str; the bounds are those of a number."""
@@ -83,7 +87,7 @@ def load_config(
         raise LaunchError(f"There is no config file {file}: correct --config.") from None
     except OSError as error:
         raise LaunchError(f"The config file {file} cannot be read ({error.strerror}).") from None
-    taken: dict[str, Any] = {}
+    taken: Entries = {}
     for key, value in _parsed(file, text).items():
         where = f"{file}, line {_line_of(text, key)}"
         if key in entries:
@@ -108,7 +112,7 @@ def load_config(
     return file
 
 
-def _of(command: Any, taken: dict[str, Any]) -> dict[str, Any]:
+def _of(command: Any, taken: Entries) -> Entries:
     own = {one.name for one in command.params}
     return {name: value for name, value in taken.items() if name in own}
 
@@ -125,7 +129,7 @@ def _read(file: Path) -> str:
         raise LaunchError(f"{file}, line {line}: it is no text in UTF-8.") from None
 
 
-def _parsed(file: Path, text: str) -> dict[str, Any]:
+def _parsed(file: Path, text: str) -> Entries:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

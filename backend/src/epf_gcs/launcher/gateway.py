@@ -294,7 +294,7 @@ def _gateway(
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
-    return Gateway(Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, files))
+    return Gateway(Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, files=files))
 
 
 def _say(text: str) -> None:

@@ -15,6 +15,7 @@ import tarfile
 import tempfile
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any, BinaryIO, Final
 
@@ -40,6 +41,14 @@ FILTER: Final[dict[str, Any]] = {"filter": "data"} if hasattr(tarfile, "data_fil
 Say = Callable[[str], None]
 
 
+@dataclass(frozen=True, slots=True)
+class ListedFile:
+    """What the list of a backup says of a file."""
+
+    bytes: int
+    sha256: str
+
+
 def backup(data: Path, target: Path, say: Say) -> int:
     """Write everything worth keeping of the data folder to a new file; returns the number of files in it.
 
@@ -57,7 +66,7 @@ def backup(data: Path, target: Path, say: Say) -> int:
     except ValueError:
         found = None  # the station keeps such a file aside
     part = target.with_name(f".{target.name}.part")
-    listed: dict[str, dict[str, Any]] = {}
+    listed: dict[str, ListedFile] = {}
     part.unlink(missing_ok=True)
     try:
         # Ours alone from its first byte: it holds private keys.
@@ -117,7 +126,7 @@ def _worth_keeping(data: Path, part: Path) -> Iterator[Path]:
             yield path
 
 
-def _add(archive: tarfile.TarFile, path: Path, name: str) -> dict[str, Any]:
+def _add(archive: tarfile.TarFile, path: Path, name: str) -> ListedFile:
     """Add a file as it is now; returns its line in the list."""
     if path.suffix == ".sqlite":
         with tempfile.TemporaryDirectory() as folder:
@@ -133,12 +142,12 @@ def _still(path: Path, copy: Path) -> Path:
     return copy
 
 
-def _add_file(archive: tarfile.TarFile, path: Path, name: str) -> dict[str, Any]:
+def _add_file(archive: tarfile.TarFile, path: Path, name: str) -> ListedFile:
     with path.open("rb") as file:
         entry = archive.gettarinfo(arcname=name, fileobj=file)
         reader = _HashingReader(file, entry.size)
         archive.addfile(entry, reader)
-    return {"bytes": entry.size, "sha256": reader.digest.hexdigest()}
+    return ListedFile(entry.size, reader.digest.hexdigest())
 
 
 class _HashingReader:
@@ -156,7 +165,7 @@ class _HashingReader:
         return data
 
 
-def _add_list(archive: tarfile.TarFile, listed: dict[str, dict[str, Any]], number: int | None) -> None:
+def _add_list(archive: tarfile.TarFile, listed: dict[str, ListedFile], number: int | None) -> None:
     text = orjson.dumps({"version": __version__, "format": number, "made_t_s": int(time.time()), "files": listed})
     entry = tarfile.TarInfo(LIST)
     entry.size, entry.mtime = len(text), int(time.time())

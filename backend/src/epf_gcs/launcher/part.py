@@ -36,6 +36,7 @@ class Part:
         command: Sequence[str],
         again: Sequence[str],
         stdin: int,
+        *,
         files: Sequence[int] = (),
         silent_s: float = SILENT_S,
     ) -> None:

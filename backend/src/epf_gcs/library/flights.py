@@ -7,7 +7,7 @@ import contextlib
 import shutil
 from collections.abc import Awaitable, Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Final, Literal, TypeVar
 
 import structlog
@@ -42,24 +42,30 @@ T = TypeVar("T")
 log = structlog.get_logger("web")
 
 
-class Flights:
-    """Owned by the event loop; one thread of its own reads and writes the disk.
-
-    `growing` gives the id of the flight that is being recorded, or None; `is_known` says whether that is certain:
+@dataclass(frozen=True, slots=True)
+class FlightsInUse:
+    """`growing` gives the id of the flight that is being recorded, or None; `is_known` says whether that is certain:
     without the flight process no recording is prepared, for one of them may still be written. `looked_at` gives the
     flights that are replayed now: none of them is deleted to make room.
     """
+
+    growing: Callable[[], str | None]
+    is_known: Callable[[], bool]
+    looked_at: Callable[[], set[str]]
+
+
+class Flights:
+    """Owned by the event loop; one thread of its own reads and writes the disk."""
 
     def __init__(
         self,
         places: Places,
         jobs: Jobs,
         clock: Clock,
+        in_use: FlightsInUse,
+        *,
         policy: PolicyChoice,
         aircraft: AircraftNameChoice,
-        growing: Callable[[], str | None],
-        is_known: Callable[[], bool],
-        looked_at: Callable[[], set[str]],
         report: Callable[[GatewayError], None],
     ) -> None:
         self.places = places
@@ -67,9 +73,7 @@ class Flights:
         self._clock = clock
         self._policy = policy
         self.aircraft = aircraft
-        self._growing = growing
-        self._is_known = is_known
-        self._looked_at = looked_at
+        self._in_use = in_use
         self._report = report
         self._library = Library(places)
         self._folder = FlightFolder(places)
@@ -87,7 +91,7 @@ class Flights:
     @property
     def growing(self) -> str | None:
         """The flight that is being recorded."""
-        return self._growing()
+        return self._in_use.growing()
 
     async def run(self) -> None:
         """Prepare flights one after the other, forever."""
@@ -114,7 +118,7 @@ class Flights:
 
     def status_changed(self) -> None:
         """Look at the recordings when one began or ended, and when the flight process came or went."""
-        now = (self._is_known(), self._growing())
+        now = (self._in_use.is_known(), self._in_use.growing())
         if now != self._was:
             self._was = now
             self.wake()
@@ -255,7 +259,7 @@ class Flights:
     async def _prepare(self) -> None:
         """Pack and index every flight that is not yet, newest first: it is looked for first."""
         tried: set[str] = set()
-        while self._is_known():
+        while self._in_use.is_known():
             rows = await self.in_thread(self._library.waiting)
             waiting = [row for row in rows if self._must_prepare(row) and row.id not in tried]
             if not waiting:
@@ -320,7 +324,7 @@ class Flights:
         await self.in_thread(self._folder.drop_orphans)
         self.jobs.drop_results(_RESULT_KEPT_S)
         policy = await self.policy()
-        if not policy.delete_oldest or not self._is_known():
+        if not policy.delete_oldest or not self._in_use.is_known():
             return
         if await self.in_thread(self._folder.free_bytes) < policy.keep_free_bytes:
             self.jobs.drop_results(0.0)
@@ -333,7 +337,7 @@ class Flights:
             if await self.in_thread(self._folder.free_bytes) >= policy.keep_free_bytes:
                 return
             # The room of a file that is open comes back only when it is closed.
-            if not row.about.pinned and row.id != self.growing and row.id not in self._looked_at():
+            if not row.about.pinned and row.id != self.growing and row.id not in self._in_use.looked_at():
                 await self._stop_work_on(row.id)
                 await self.in_thread(self._folder.remove, row.id)
                 await self.in_thread(self._library.forget, row.id)

@@ -18,7 +18,6 @@ from epf_gcs.maps.layer import Description, Layer, Tile
 from epf_gcs.maps.online import Online
 from epf_gcs.maps.online_file import OnlineFile
 from epf_gcs.maps.open_files import Stamp
-from epf_gcs.maps.sources import OnlineChoice
 from epf_gcs.maps.terrain_jobs import T, TerrainJobs
 
 # Threads for maps only: a slow memory stick delays other maps and nothing else.
@@ -40,8 +39,8 @@ class Maps:
         self.imports = Imports(self.folder, self._jobs, self.in_thread, say)
         self.online = Online(
             path / TILES,
-            OnlineChoice.from_dict(chosen.read()),
-            lambda choice: chosen.write(choice.as_dict()),
+            chosen.read(),
+            chosen.write,
             report,
             clock.now_s,
         )

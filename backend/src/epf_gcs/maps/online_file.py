@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import orjson
 
 from epf_gcs.disk import KeptFile
 from epf_gcs.errors import GatewayError
+from epf_gcs.maps.sources import OnlineChoice
 
 _FILE: Final = "online-maps.json"
 
@@ -20,20 +21,20 @@ class OnlineFile:
     def __init__(self, data_dir: Path, report: Callable[[GatewayError], None]) -> None:
         self._file = KeptFile(
             data_dir / _FILE,
-            lambda text: dict(orjson.loads(text)),
+            OnlineChoice.from_json,
             lambda choice: orjson.dumps(choice, option=orjson.OPT_INDENT_2),
         )
         self._report = report
 
-    def read(self) -> dict[str, Any]:
-        """The last choice; empty if there is none, or if the file cannot be read: then it is kept aside."""
+    def read(self) -> OnlineChoice:
+        """The last choice; off if there is none, or if the file cannot be read: then it is kept aside."""
         try:
-            return self._file.read_or_set_aside(self._complain_of_damage) or {}
+            return self._file.read_or_set_aside(self._complain_of_damage) or OnlineChoice()
         except OSError as error:
             self._complain("read", error.strerror or str(error))
-            return {}
+            return OnlineChoice()
 
-    def write(self, choice: dict[str, Any]) -> None:
+    def write(self, choice: OnlineChoice) -> None:
         """Replace the file as a whole: after a power cut it holds the old or the new choice."""
         try:
             self._file.path.parent.mkdir(parents=True, exist_ok=True)

@@ -6,9 +6,11 @@ import email.utils
 import hashlib
 import re
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
-from typing import Any, Final
+from dataclasses import dataclass, field
+from typing import Final
 from urllib.parse import urlsplit
+
+import orjson
 
 from epf_gcs.errors import InvalidInputError
 
@@ -67,17 +69,11 @@ class OnlineChoice:
     limit_bytes: int = DEFAULT_LIMIT_BYTES
     sources: tuple[Source, ...] = field(default=(OPENSTREETMAP,))
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
-        return {
-            "enabled": self.enabled,
-            "limit_bytes": self.limit_bytes,
-            "sources": [asdict(source) for source in self.sources],
-        }
-
     @classmethod
-    def from_dict(cls, values: Mapping[str, Any]) -> OnlineChoice:
-        """The inverse of `as_dict`. People can edit the file: invalid values are replaced by defaults."""
+    def from_json(cls, text: bytes) -> OnlineChoice:
+        """Read it. People can edit the file: invalid values are replaced by defaults. Raises ValueError if it is no
+        JSON object."""
+        values = dict(orjson.loads(text))
         try:
             sources = tuple(checked(Source(**source)) for source in values["sources"])
             limit_bytes = min(max(0, int(values["limit_bytes"])), MAX_LIMIT_BYTES)

@@ -18,7 +18,7 @@ from struct import Struct
 from typing import Final
 
 from epf_gcs import __version__
-from epf_gcs.replay.playhead import PlayheadState
+from epf_gcs.replay.playhead_state import PlayheadState
 from epf_gcs.system.files import read_at, write_at
 from epf_gcs.system.locks import lock
 

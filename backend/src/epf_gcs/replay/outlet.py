@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.events import Event
-from epf_gcs.vehicle.outside import Values
 
 Sample = tuple[str, float, Values]
 

@@ -6,9 +6,9 @@ No thread, no timer and no socket in here: what it does at a moment depends on t
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Any, Final, Literal, Protocol
+from typing import Final, Literal, Protocol
 
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.status import Status
 from epf_gcs.replay.keys import EVERY_NS, Keys
@@ -176,7 +176,7 @@ class Player:
         """The flight's state at the moment shown."""
         return build_status(self._head, f"{self._flight}.mcap", self._timeline.size)
 
-    def samples(self) -> list[tuple[str, float, Mapping[str, Any]]]:
+    def samples(self) -> list[tuple[str, float, Values]]:
         """The newest sample of every topic at the moment shown, by their time."""
         newest = self._head.vehicle.telemetry.samples()
         return sorted(((topic, one.t_s, one.values) for topic, one in newest.items()), key=lambda one: one[1])

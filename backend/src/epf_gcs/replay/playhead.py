@@ -6,11 +6,7 @@ depends on the recorded bytes, notes and times alone. Ticks, which live come whe
 
 from __future__ import annotations
 
-import json
-from dataclasses import dataclass
-from typing import Any, Final
-
-import msgspec
+from typing import Final
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
@@ -22,14 +18,15 @@ from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT
 from epf_gcs.replay.ahrs_test import RecordedAhrsTest
 from epf_gcs.replay.clock import RecordedClock
-from epf_gcs.replay.judged import JudgedAlarms, JudgedState
-from epf_gcs.replay.known import KnownState, LineNote, RecordedState
+from epf_gcs.replay.judged import JudgedAlarms
+from epf_gcs.replay.known import LineNote, RecordedState
+from epf_gcs.replay.playhead_state import PlayheadState
 from epf_gcs.replay.timeline import Cursor, Item, Timeline
 from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.rates import ByteRate
 from epf_gcs.vehicle.simulator_samples import Reading
-from epf_gcs.vehicle.vehicle import Vehicle, VehicleState
+from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
 _TICK_NS: Final = 100_000_000
@@ -55,34 +52,6 @@ class RecordedLine:
     def write(self, data: bytes) -> bool:
         """Send nothing."""
         return True
-
-
-@dataclass(frozen=True, slots=True)
-class PlayheadState:
-    """A key frame: all that what comes next depends on. Unix times; `lines`: when the board's line was attached, and
-    the first and the last command 50; `counts` and `rates` as the playhead has them."""
-
-    t_ns: int
-    tick_ns: int
-    heard_ns: int
-    frame_ns: int
-    known: KnownState
-    vehicle: VehicleState
-    sent: list[Any]
-    counts: tuple[int, int, int, int]
-    rates: list[list[tuple[float, int]]]
-    errors: dict[str, int]
-    lines: tuple[float, float | None, float | None]
-    judged: JudgedState | None
-
-    def as_json(self) -> str:
-        """The key frame's text. Values of a simulator may be no number, which JSON of others does not have."""
-        return json.dumps(msgspec.to_builtins(self), separators=(",", ":"))
-
-    @staticmethod
-    def from_json(text: bytes) -> PlayheadState:
-        """Read it back. Raises ValueError."""
-        return msgspec.convert(json.loads(text), PlayheadState, str_keys=True)
 
 
 class Playhead:

@@ -9,6 +9,7 @@ from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.notices import Notice, SurroundingsReport
 from epf_gcs.contract.surroundings import AircraftAround, SurroundingsState, ThreatAhead, TrackPlace
 from epf_gcs.errors import InvalidInputError
@@ -20,7 +21,6 @@ from epf_gcs.surroundings.kept import OFF, KeptSurroundings
 from epf_gcs.surroundings.motion import Fix
 from epf_gcs.surroundings.threats import Threat
 from epf_gcs.units import ft_from_m, m_from_ft, mps_from_kt
-from epf_gcs.vehicle.outside import Values
 
 _TICK_S: Final = 0.2
 _LOOK_S: Final = 0.5

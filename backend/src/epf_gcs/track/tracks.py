@@ -11,13 +11,13 @@ from typing import Final, Protocol
 
 from epf_gcs.clock import Clock
 from epf_gcs.contract.answers import TrackState
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.events import Say
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.repeating import repeat
 from epf_gcs.track.kept import KeptTrack
 from epf_gcs.track.track import Attitude, Position, Track
 from epf_gcs.units import m_from_ft
-from epf_gcs.vehicle.outside import Values
 
 _AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
 _SAVE_S: Final = 1.0

@@ -75,7 +75,8 @@ class Alarms:
     """Asks `watch` at each `look`, and announces each alarm that comes, goes or is acknowledged.
 
     `thresholds` are the operator's choices; `on_thresholds` stores new ones. `past` are the alarms of earlier runs,
-    oldest first; `on_past` stores each alarm when it ends, and once more if it is acknowledged after its end.
+    oldest first; `on_past` stores each alarm when it ends, and once more if it is acknowledged after its end. `on_news`
+    hears of every alarm that comes, goes or is acknowledged.
     """
 
     def __init__(
@@ -87,6 +88,7 @@ class Alarms:
         *,
         past: Iterable[Alarm] = (),
         on_past: Callable[[Alarm], None] | None = None,
+        on_news: Callable[[News, Alarm], None] | None = None,
     ) -> None:
         self._watch = watch
         self._outlet = outlet
@@ -97,10 +99,7 @@ class Alarms:
         self._past: deque[Alarm] = deque(past, maxlen=KEPT)
         self._on_past = on_past
         self.thresholds = chosen(thresholds)
-        # Set by the composition root: called with the id of an alarm that was acknowledged.
-        self.on_acknowledged: Callable[[AlarmId], None] | None = None
-        # Set by the composition root: called for every alarm that comes, goes or is acknowledged, for the log.
-        self.on_news: Callable[[News, Alarm], None] | None = None
+        self._on_news = on_news
 
     @property
     def active(self) -> list[Alarm]:
@@ -161,8 +160,6 @@ class Alarms:
             self._keep(known)
         if not alarm.acknowledged:
             self._tell(known, "acknowledged")
-            if self.on_acknowledged is not None:
-                self.on_acknowledged(alarm.finding.id)
         return known
 
     def choose(self, thresholds: Mapping[str, float]) -> None:
@@ -194,8 +191,8 @@ class Alarms:
 
     def _tell(self, alarm: Alarm, news: News) -> None:
         self._outlet.event(AlarmEvent(**asdict(alarm.state), active=alarm.until_s is None))
-        if self.on_news is not None:
-            self.on_news(news, alarm)
+        if self._on_news is not None:
+            self._on_news(news, alarm)
 
 
 def _follow(before: Alarm | None, finding: Finding, t_s: float, recovered: Alarm | None) -> Alarm:

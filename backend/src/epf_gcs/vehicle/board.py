@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
-from typing import Any, Final, NamedTuple, Protocol
+from typing import Final, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
@@ -13,6 +13,7 @@ from epf_gcs.codec.values import Json, Meaning
 from epf_gcs.contract.events import ConsoleEvent
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
+from epf_gcs.vehicle.board_state import BoardState
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
 from epf_gcs.vehicle.outside import Clock, Line, Outlet
 from epf_gcs.vehicle.restart import BoardRestart, Restart
@@ -38,25 +39,23 @@ class ExclusiveUser(Protocol):
         """End the exclusive use; returns the bytes that bring the board back to text mode."""
 
 
-class BoardState(NamedTuple):
-    """What the next bytes are decoded by, and all counts; of bytes and damage also those at the last tick or link."""
-
-    session: list[Any]
-    decoder: list[Any]
-    was_open: bool
-    frames: int
-    bytes_in: tuple[int, int]
-    damage: tuple[dict[str, int], dict[str, int]]
-    statistics: list[Any]
-
-
 class Board:
     """Takes links and bytes; passes frames first to `on_urgent`, then to the telemetry, then to the listeners.
 
     Frames are decoded when the telemetry is looked at or wanted outside; at once while anybody listens to all of them.
+    `on_opened` is called when commands can be sent, `on_restarted` when the board has lost what it was told.
     """
 
-    def __init__(self, clock: Clock, outlet: Outlet, telemetry: Telemetry, errors: ErrorLog) -> None:
+    def __init__(
+        self,
+        clock: Clock,
+        outlet: Outlet,
+        telemetry: Telemetry,
+        errors: ErrorLog,
+        *,
+        on_opened: Callable[[], None] = lambda: None,
+        on_restarted: Callable[[Restart], None] = lambda _: None,
+    ) -> None:
         self._clock = clock
         self._event = outlet.event
         self._telemetry = telemetry
@@ -80,10 +79,10 @@ class Board:
         self.baud = 0
         # The link brings example values: they must not reach a simulator, and commands are refused.
         self.is_emulated = False
-        # Set by the composition root: the HIL bridge, which gets its frames first, and who restores an opened board.
+        # Set by the composition root: the HIL bridge, which gets its frames first, and is made from this board.
         self.on_urgent: Callable[[Frame], None] | None = None
-        self.on_opened: Callable[[], None] | None = None
-        self.on_restarted: Callable[[Restart], None] | None = None
+        self._on_opened = on_opened
+        self._on_restarted = on_restarted
         self._restart = BoardRestart()
 
     @property
@@ -283,7 +282,7 @@ class Board:
                 self._take_damage(item)
 
     def _take_damage(self, damage: Damage) -> None:
-        text = _as_text(damage)
+        text = damage.text
         self.damage[damage.kind if text is None else "text"] += 1
         if text:
             if self.session.state is SessionState.OPENING:
@@ -303,8 +302,7 @@ class Board:
         is_open = self.is_open
         if is_open and not self._was_open:
             self._was_open = True
-            if self.on_opened is not None:
-                self.on_opened()
+            self._on_opened()
             self._notice_restart()
         elif not is_open and self.session.state is SessionState.OPENING:
             if self._was_open:
@@ -319,8 +317,8 @@ class Board:
             uptime if isinstance(uptime, int) else None,
             self._telemetry.newest("heartbeat") or {},
         )
-        if found is not None and self.on_restarted is not None:
-            self.on_restarted(found)
+        if found is not None:
+            self._on_restarted(found)
 
     def kept(self) -> BoardState:
         """For `restore`."""
@@ -347,14 +345,3 @@ class Board:
     def capabilities(self) -> dict[str, Json]:
         """What an extended board reported about itself; empty for a legacy board."""
         return self.session.capabilities or {}
-
-
-def _as_text(damage: Damage) -> str | None:
-    """A text line of the board's shell, "" for white space; None if the bytes are not printable text."""
-    if damage.kind != "noise":
-        return None
-    data = damage.data.strip(b"\r\n\t ")
-    if not data or not data.isascii():
-        return "" if not data and damage.data else None
-    text = data.decode("ascii")
-    return text if text.isprintable() else None

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.status import Features, Firmware, TaskPeriod, TaskPeriods
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, IntendedSettings
 
 
-def features_of(capabilities: Mapping[str, Any]) -> Features:
+def features_of(capabilities: Values) -> Features:
     """What the board can do, by its message of capabilities; a legacy board sends none."""
     names = ("acknowledgements", "store", "sources", "missions")
     return Features(**{name: bool(capabilities.get(f"has_{name}")) for name in names})
 
 
-def firmware_of(capabilities: Mapping[str, Any]) -> Firmware | None:
+def firmware_of(capabilities: Values) -> Firmware | None:
     """What an extended board calls itself."""
     if not capabilities:
         return None

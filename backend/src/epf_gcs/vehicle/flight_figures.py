@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Final
 
+from epf_gcs.contract.base import Values
 from epf_gcs.earth import distance_m
 from epf_gcs.units import ft_from_m
-from epf_gcs.vehicle.outside import Values
 
 # Of the least airspeed: an aircraft as slow as that has landed.
 _LANDED: Final = 0.5

@@ -8,7 +8,8 @@ from typing import Any, Final
 
 from epf_gcs.contract.alarm_ids import AlarmId
 from epf_gcs.contract.answers import BatteryPack
-from epf_gcs.vehicle.judges import LASTS_S, Debounce, Finding, Level, Params, Values
+from epf_gcs.contract.base import Values
+from epf_gcs.vehicle.judges import LASTS_S, Debounce, Finding, Level, Params
 
 _RECEIVER_LASTS_S: Final = 1.0
 # Lithium polymer and lithium ion, with what a charger and a sensor are off by.

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Final, Literal
 
 from epf_gcs.contract.alarm_ids import AlarmId
+from epf_gcs.contract.base import Values
 from epf_gcs.vehicle.unusable_value import UnusableValue
 
 Level = Literal["warning", "critical"]
-Values = Mapping[str, Any]
 Params = dict[str, str | int | float | bool | None]
 
 LASTS_S: Final = 3.0

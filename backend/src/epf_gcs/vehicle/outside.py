@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any, Protocol
+from collections.abc import Callable
+from typing import Protocol
 
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.events import Event
-
-Values = Mapping[str, Any]
 
 
 class Clock(Protocol):

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from operator import itemgetter
-from typing import Final
+from typing import Final, NamedTuple
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.contract.events import SimulatorJumpEvent
@@ -66,20 +66,19 @@ class Jump:
         return SimulatorJumpEvent(round(self.distance_m), place.latitude_deg, place.longitude_deg, place.altitude_ft)
 
 
-@dataclass(slots=True)
-class MotionState:
+class MotionState(NamedTuple):
     """What the next rows are judged by; Unix times. `heard`: the newest of each row. `place`: the newest known one, its
     time, latitude, longitude and altitude."""
 
-    heard: dict[int, tuple[float, Eight]] = field(default_factory=dict)
-    moved_s: float = 0.0
-    place: tuple[float, float, float, float] | None = None
-    profile: str = "xp10"
-    jumped_s: float = 0.0
+    heard: dict[int, tuple[float, Eight]]
+    moved_s: float
+    place: tuple[float, float, float, float] | None
+    profile: str
+    jumped_s: float
 
 
 class SimulatorMotion:
-    """Told each row as it arrives, with Unix times; `on_jump` hears of jumps. `state` is its whole memory."""
+    """Told each row as it arrives, with Unix times; `on_jump` hears of jumps."""
 
     def __init__(self, on_jump: Callable[[Jump], None]) -> None:
         self._on_jump = on_jump
@@ -87,38 +86,51 @@ class SimulatorMotion:
 
     def forget(self) -> None:
         """Another simulator."""
-        self.state = MotionState()
+        self._heard: dict[int, tuple[float, Eight]] = {}
+        self._moved_s = 0.0
+        # Unix time of the newest known place, and its latitude, longitude and altitude.
+        self._place: tuple[float, float, float, float] | None = None
+        self._profile = "xp10"
+        self._jumped_s = 0.0
 
     def take(self, row: int, values: Eight, t_s: float, profile: str) -> None:
         """Take one of the MOTION_ROWS."""
-        state = self.state
-        before = state.heard.get(row)
-        state.heard[row] = (t_s, values)
-        state.profile = profile
+        before = self._heard.get(row)
+        self._heard[row] = (t_s, values)
+        self._profile = profile
         if before is None or not _is_same(before[1], values):
-            state.moved_s = t_s
+            self._moved_s = t_s
         if row == _POSITION_ROW:
             self._move(values, t_s)
 
     def is_paused(self, now_s: float) -> bool:
         """Whether all of the rows have arrived for a while without a change, of an aircraft in flight."""
-        heard, moved_s = self.state.heard, self.state.moved_s
-        if now_s - moved_s < _PAUSED_AFTER_S or len(heard) < len(MOTION_ROWS):
+        heard = self._heard
+        if now_s - self._moved_s < _PAUSED_AFTER_S or len(heard) < len(MOTION_ROWS):
             return False
         oldest_s = min(t_s for t_s, _ in heard.values())
-        hangs_still = oldest_s - moved_s >= _PAUSED_AFTER_S and now_s - oldest_s <= _SILENT_AFTER_S
+        hangs_still = oldest_s - self._moved_s >= _PAUSED_AFTER_S and now_s - oldest_s <= _SILENT_AFTER_S
         return hangs_still and self._speed_kt() >= _FLYING_KT
+
+    def kept(self) -> MotionState:
+        """For `restore`."""
+        return MotionState(dict(self._heard), self._moved_s, self._place, self._profile, self._jumped_s)
+
+    def restore(self, kept: MotionState) -> None:
+        """Go on from what `kept` gave."""
+        self._heard = dict(kept.heard)
+        self._moved_s, self._place, self._profile, self._jumped_s = kept[1:]
 
     def _speed_kt(self) -> float:
         """Indicated airspeed, 0 if unknown."""
-        heard = self.state.heard.get(_SPEED_ROW)
+        heard = self._heard.get(_SPEED_ROW)
         if heard is None:
             return 0.0
-        return row_meaning(_SPEED_ROW, heard[1], self.state.profile).values["indicated_airspeed_kt"] or 0.0
+        return row_meaning(_SPEED_ROW, heard[1], self._profile).values["indicated_airspeed_kt"] or 0.0
 
     def _move(self, values: Eight, t_s: float) -> None:
         latitude_deg, longitude_deg, altitude_ft = _pick_place(values)
-        before = self.state.place
+        before = self._place
         if (
             before is not None
             and abs(latitude_deg - before[1]) < _NEAR_DEG
@@ -126,12 +138,12 @@ class SimulatorMotion:
             and abs(altitude_ft - before[3]) < _NEAR_FT
         ):
             # Nearly every one, and cheaply.
-            self.state.place = (t_s, latitude_deg, longitude_deg, altitude_ft)
+            self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
             return
-        meaning = row_meaning(_POSITION_ROW, values, self.state.profile).values
+        meaning = row_meaning(_POSITION_ROW, values, self._profile).values
         if any(meaning[name] is None for name in _PLACE):
             return
-        now = self.state.place = (t_s, latitude_deg, longitude_deg, altitude_ft)
+        now = self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
         if before is not None:
             self._judge_jump(before, now)
 
@@ -140,8 +152,8 @@ class SimulatorMotion:
         along_m = distance_m(*before[1:3], *now[1:3])
         way_m = math.hypot(along_m, (now[3] - before[3]) * M_PER_FT)
         flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * MPS_PER_KT * max(0.0, t_s - before[0])
-        if way_m > _JUMP_M + flown_m and t_s - self.state.jumped_s >= _QUIET_S:
-            self.state.jumped_s = t_s
+        if way_m > _JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
+            self._jumped_s = t_s
             self._on_jump(Jump(t_s, way_m, to))
 
 

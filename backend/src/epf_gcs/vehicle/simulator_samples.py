@@ -9,10 +9,9 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final, NamedTuple, Protocol, cast
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
-from epf_gcs.contract.base import SimulatorProfile
+from epf_gcs.contract.base import SimulatorProfile, Values
 from epf_gcs.vehicle.arrivals import Arrivals, KeptArrivals
 from epf_gcs.vehicle.judges import Finding
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.pace_judge import POSITION_ROW, SPEED_ROW, PaceJudge
 from epf_gcs.vehicle.profile_judge import ATTITUDE_ROW, RATES_ROW, ProfileJudge
 from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, Jump, MotionState, SimulatorMotion
@@ -174,7 +173,7 @@ class SimulatorSamples:
             profile_judge=self._profile_judge.kept(),
             pace_judge=self._pace_judge.kept(),
             rows={row: one.kept() for row, one in self._rows.items()},
-            motion=self.motion.state,
+            motion=self.motion.kept(),
         )
 
     def restore(self, state: SimulatorState) -> None:
@@ -188,7 +187,7 @@ class SimulatorSamples:
         self._pace_judge.restore(state.pace_judge)
         for row, (count, times_s, values) in state.rows.items():
             self._rows[row] = Arrivals.restored(count, times_s, tuple(values))
-        self.motion.state = state.motion
+        self.motion.restore(state.motion)
 
     @property
     def raw_shown_s(self) -> float:

@@ -13,8 +13,9 @@ from typing import Final, NamedTuple
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Meaning, meaning
 from epf_gcs.contract import answers, status
+from epf_gcs.contract.base import Values
 from epf_gcs.vehicle.health import ANSWERS, TASK_OF_TOPIC, KeptHealth, TopicHealth
-from epf_gcs.vehicle.outside import Clock, Outlet, Values
+from epf_gcs.vehicle.outside import Clock, Outlet
 
 _TASK_TOPICS: Final = frozenset(TASK_OF_TOPIC)
 

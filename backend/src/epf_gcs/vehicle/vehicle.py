@@ -11,8 +11,10 @@ from typing import NamedTuple
 from epf_gcs.contract.answers import Sample
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
-from epf_gcs.vehicle.board import Board, BoardState
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.board_state import BoardState
 from epf_gcs.vehicle.outside import Clock, Outlet
+from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.simulator_motion import Jump
 from epf_gcs.vehicle.simulator_samples import SIMULATOR_TOPICS, SimulatorSamples, SimulatorState
 from epf_gcs.vehicle.telemetry import Telemetry, TelemetryState
@@ -30,6 +32,7 @@ class Vehicle:
     """`board` takes bytes and lines, `simulator` datagrams, `telemetry` has the newest samples.
 
     `commanded_period_s` tells a task's period. Without `tells_jumps` somebody else tells of the simulator's jumps.
+    `on_opened` and `on_restarted` are the board's.
     """
 
     def __init__(
@@ -40,10 +43,12 @@ class Vehicle:
         commanded_period_s: Callable[[str], float],
         *,
         tells_jumps: bool = True,
+        on_opened: Callable[[], None] = lambda: None,
+        on_restarted: Callable[[Restart], None] = lambda _: None,
     ) -> None:
         self.clock = clock
         self.telemetry = Telemetry(outlet, clock, commanded_period_s)
-        self.board = Board(clock, outlet, self.telemetry, errors)
+        self.board = Board(clock, outlet, self.telemetry, errors, on_opened=on_opened, on_restarted=on_restarted)
         self.simulator = SimulatorSamples(self.telemetry, self._tell_jump)
         self._outlet = outlet
         self._tells_jumps = tells_jumps

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from epf_gcs.contract.base import Values
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.flight_figures import FlightFigures
 from epf_gcs.vehicle.flight_judges import BatteryJudge, LimitJudge, ReceiverJudge
@@ -20,7 +21,6 @@ from epf_gcs.vehicle.judges import (
     judge_hil,
     judge_pause,
 )
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.telemetry import Telemetry
 
 

@@ -51,7 +51,8 @@ from epf_gcs.web.interface.surroundings import routes as surroundings
 from epf_gcs.web.interface.tls import routes as certificate_routes
 from epf_gcs.web.interface.track import routes as track
 from epf_gcs.web.serving.access_table import Gate
-from epf_gcs.web.serving.guard import Access, Guard
+from epf_gcs.web.serving.body_limits import BodyLimits
+from epf_gcs.web.serving.guard import Access, Entrance, Guard
 from epf_gcs.web.serving.page import install_page
 from epf_gcs.web.serving.problems import install_error_handlers
 from epf_gcs.web.serving.settings import Settings
@@ -155,16 +156,13 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
     app.state.limits = limits
     app.add_middleware(
         Guard,
-        access=access,
-        admission=admission,
-        gate=Gate(app),
-        limits=limits,
+        entrance=Entrance(access, admission, Gate(app), limits),
+        bodies=BodyLimits(
+            settings.max_body_bytes,
+            longer={_PREFIX + path: MAX_FILE_BYTES for path in (mission_files.IMPORT_PATH, surroundings.IMPORT_PATH)},
+            streamed=frozenset({_PREFIX + maps.IMPORTS_PATH, _PREFIX + flights.UPLOAD_PATH}),
+        ),
         errors=errors,
-        max_body_bytes=settings.max_body_bytes,
-        longer_bodies={
-            _PREFIX + path: MAX_FILE_BYTES for path in (mission_files.IMPORT_PATH, surroundings.IMPORT_PATH)
-        },
-        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH, _PREFIX + flights.UPLOAD_PATH}),
         answers=answers,
     )
     return app

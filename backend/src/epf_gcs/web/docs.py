@@ -13,7 +13,7 @@ from pydantic import TypeAdapter
 
 from epf_gcs import __version__
 from epf_gcs.access.roles import OPEN, Role
-from epf_gcs.contract.shapes import Output, Problem
+from epf_gcs.contract.shapes import Description, Output, Problem
 from epf_gcs.web.interface.events import EVENTS
 from epf_gcs.web.interface.flights import schemas as flights
 from epf_gcs.web.serving.access_table import MESSAGES, ROUTES, STREAMS, Entry
@@ -119,7 +119,7 @@ async def docs_asset(name: str) -> Response:
     return Response(content, media_type=_ASSETS[name], headers={"Cache-Control": "max-age=3600"})
 
 
-def describe(app: FastAPI) -> dict[str, Any]:
+def describe(app: FastAPI) -> Description:
     """The OpenAPI document, with problems under their own media type."""
     if app.openapi_schema is None:
         schema = get_openapi(
@@ -141,7 +141,7 @@ def describe(app: FastAPI) -> dict[str, Any]:
     return app.openapi_schema
 
 
-def _described(shapes: Mapping[str, type[Any]], schemas: dict[str, Any]) -> dict[str, Any]:
+def _described(shapes: Mapping[str, type[Any]], schemas: Description) -> Description:
     """A reference for each of these shapes; their schemas are added to `schemas`."""
     asked: list[tuple[str, Literal["serialization"], TypeAdapter[Any]]] = [
         (name, "serialization", TypeAdapter(shape)) for name, shape in shapes.items()
@@ -152,13 +152,13 @@ def _described(shapes: Mapping[str, type[Any]], schemas: dict[str, Any]) -> dict
     return {name: references[name, "serialization"] for name in shapes}
 
 
-def _say_who_may(operation: dict[str, Any], entry: Entry) -> None:
+def _say_who_may(operation: Description, entry: Entry) -> None:
     operation["x-least-role"] = _name_of(entry)
     operation["x-needs-control"] = entry.control
     operation["security"] = [] if entry.least == OPEN else [{name: []} for name in _SECURITY]
 
 
-def _least(entries: Mapping[str, Entry]) -> dict[str, dict[str, Any]]:
+def _least(entries: Mapping[str, Entry]) -> Description:
     return {
         name: {"x-least-role": _name_of(entry), "x-needs-control": entry.control} for name, entry in entries.items()
     }
@@ -168,7 +168,7 @@ def _name_of(entry: Entry) -> str:
     return "anyone" if entry.least == OPEN else Role(entry.least).name
 
 
-def _name_problems(responses: dict[str, Any]) -> None:
+def _name_problems(responses: Description) -> None:
     for status, response in responses.items():
         content = response.get("content", {})
         if status.startswith(("4", "5")) and "application/json" in content:

@@ -93,9 +93,9 @@ class StreamEndpoint:
             self._parts,
             connection,
             caller,
-            wished if _CLIENT_ID.fullmatch(wished) else None,
-            name if len(name) <= _MAX_NAME and name.isprintable() else "",
-            rate_hz,
+            wished=wished if _CLIENT_ID.fullmatch(wished) else None,
+            own_name=name if len(name) <= _MAX_NAME and name.isprintable() else "",
+            rate_hz=rate_hz,
         )
 
     def opened(self, conversation: Conversation) -> None:
@@ -112,6 +112,7 @@ class StreamConversation:
         parts: StreamParts,
         connection: SocketConnection,
         caller: Caller,
+        *,
         wished: str | None,
         own_name: str,
         rate_hz: int,

@@ -132,7 +132,7 @@ class Server(uvicorn.Server):
             lambda: certificates.context,
             factory(self.config, self.server_state),
             factory(plain, plain_state),
-            self.visitors,
+            visitors=self.visitors,
         )
 
     def _config(self, app: Any, **more: Any) -> uvicorn.Config:

@@ -26,7 +26,7 @@ from epf_gcs.contract.requests import ReadInspector
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.fields.fields import Fields
 from epf_gcs.library.aircraft import AircraftNameChoice
-from epf_gcs.library.flights import Flights
+from epf_gcs.library.flights import Flights, FlightsInUse
 from epf_gcs.library.imports import FlightImports
 from epf_gcs.library.jobs import Jobs
 from epf_gcs.library.policy import PolicyChoice
@@ -80,12 +80,10 @@ class Station:
             Places(data_dir),
             Jobs(self.hub.say),
             self.clock,
-            PolicyChoice(self.vehicle.ask),
-            AircraftNameChoice(self.vehicle.ask),
-            self._growing,
-            lambda: self.mirror.is_here,
-            lambda: self.replays.flights,
-            errors.report,
+            FlightsInUse(self._growing, lambda: self.mirror.is_here, lambda: self.replays.flights),
+            policy=PolicyChoice(self.vehicle.ask),
+            aircraft=AircraftNameChoice(self.vehicle.ask),
+            report=errors.report,
         )
         self.queries = Queries(data_dir)
         self.replays = Replays(data_dir, errors, self._growing)

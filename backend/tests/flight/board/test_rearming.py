@@ -35,7 +35,13 @@ class World:
         self.outlet = KeptOutlet()
         self.errors = ErrorLog()
         self.memory = Memory(folder / "state.json", self.errors.report)
-        vehicle = Vehicle(self.clock, self.outlet, self.errors, self.memory.now.wanted.period_s)
+        vehicle = Vehicle(
+            self.clock,
+            self.outlet,
+            self.errors,
+            self.memory.now.wanted.period_s,
+            on_opened=lambda: self.rearming.board_opened(),  # noqa: PLW0108 - it is made from the vehicle
+        )
         self.board, self.telemetry = vehicle.board, vehicle.telemetry
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
         self.looks = 0
@@ -47,7 +53,6 @@ class World:
             errors=self.errors,
             on_change=self._look,
         )
-        self.board.on_opened = self.rearming.board_opened
         self.line = HeldLine()
 
     def _look(self) -> None:

@@ -63,7 +63,13 @@ class World:
         self.opened: list[LinkAddress] = []
         self.identities: list[str | None] = []
         self.supervisor = Supervisor(
-            self.board, self.clock, self.tap, self.errors.report, self._changed, lambda: True, self._open
+            self.board,
+            self.clock,
+            self.tap,
+            report=self.errors.report,
+            on_change=self._changed,
+            may_wait=lambda: True,
+            open_link=self._open,
         )
         self.finds("usb-1", None)
 

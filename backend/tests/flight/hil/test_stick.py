@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from epf_gcs.bus.definition import Client
+from epf_gcs.contract.base import PageFacts
 from epf_gcs.contract.events import Event
 from epf_gcs.contract.notices import ControlChange, StickRelease, StickSample
 from epf_gcs.errors import ConflictError
@@ -24,9 +25,9 @@ pytestmark = pytest.mark.anyio
 TURN = Surfaces(-0.5, 0.25, -0.125, 0.5)
 LET_GO = Surfaces(0.0, 0.0, 0.0, 0.5)
 GLIDE = Surfaces(0.0, 0.0, 0.0, 0.0)
-ABOUT = {"session": "local", "kind": "local", "number": 1}
+ABOUT = PageFacts("local", "local", 1)
 ANA = {"client": "ana", "name": "Ana", "about": ABOUT}
-BEA = {"client": "bea", "name": "Bea", "about": {}}
+BEA = {"client": "bea", "name": "Bea", "about": PageFacts()}
 NOBODY = {"client": None, "name": None}
 
 
@@ -39,8 +40,7 @@ class Seat:
         self.told: list[dict[str, Any]] = []
         self.changes = 0
         self.holders: list[str | None] = []
-        self.stick = Stick(self, self, self._changed)
-        self.stick.on_holder = lambda: self.holders.append(self.stick.holder.name if self.stick.holder else None)
+        self.stick = Stick(self, self, self._changed, self._holder)
         self.notice = partial(take_stick_notice, self.stick)
 
     def steady_s(self) -> float:
@@ -57,6 +57,9 @@ class Seat:
 
     def _changed(self) -> None:
         self.changes += 1
+
+    def _holder(self) -> None:
+        self.holders.append(self.stick.holder.name if self.stick.holder else None)
 
     def sample(self, topic: str, t_s: float, values: Any) -> None:
         raise AssertionError("the stick sends no samples")

@@ -9,13 +9,14 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.contract.base import Values
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.state.lines import BothLines
 from epf_gcs.flight.state.watch import Watch
 from epf_gcs.link.address import parse_address
 from epf_gcs.link.failures import lost_error
 from epf_gcs.vehicle.judges import Finding
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.surroundings import ToldSurroundings
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
@@ -276,12 +277,9 @@ class At:
         self.now_s = 1000.0
         self.station = station = Flight(folder / "data", record=False)
         self.watch = Watch(
-            supervisor=station.supervisor,
-            board=station.board,
+            BothLines(station.board, station.supervisor, station.simulator, station.hil),
             telemetry=station.telemetry,
             parameters=station.parameters,
-            simulator=station.simulator,
-            hil=station.hil,
             recorder=None,
             steady_s=lambda: self.now_s,
             wants=lambda _: False,

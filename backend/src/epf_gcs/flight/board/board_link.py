@@ -28,6 +28,7 @@ class Supervisor(KeepsOpen[LinkAddress, Link]):
         board: Board,
         clock: LineClock,
         tap: Tap,
+        *,
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
         may_wait: Callable[[], bool],

@@ -22,17 +22,18 @@ _READ_S: Final = 5.0
 
 
 class Missions:
-    """One transfer at a time."""
+    """One transfer at a time. `on_read` is called with each plan that was read from the board."""
 
-    def __init__(self, board: Board, commands: Commands, outlet: Outlet) -> None:
+    def __init__(
+        self, board: Board, commands: Commands, outlet: Outlet, on_read: Callable[[Plan, list[Waypoint]], None]
+    ) -> None:
         self._board = board
         self._commands = commands
         self._outlet = outlet
         self._lock = asyncio.Lock()
         # Plans read from or written to the board since its session opened.
         self._known: dict[Plan, None] = {}
-        # Set by the composition root; called with each plan that was read from the board.
-        self.on_read: Callable[[Plan, list[Waypoint]], None] | None = None
+        self._on_read = on_read
 
     def take_known(self) -> tuple[Plan, ...]:
         """Return the plans known to be on the board, and forget them."""
@@ -102,8 +103,7 @@ class Missions:
                     found = await collector.whole
                 if found:
                     self._known[plan] = None
-                if self.on_read is not None:
-                    self.on_read(plan, found)
+                self._on_read(plan, found)
                 return found
             except TimeoutError:
                 raise BoardError(

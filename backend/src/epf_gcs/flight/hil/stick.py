@@ -27,10 +27,16 @@ class Stick:
     """Samples count only from the page that has control. Without it the stick is let go at once; the choice of its
     gamepad ends when another has control, or when it is kept for nobody any longer."""
 
-    def __init__(self, outlet: Outlet, clock: Clock, on_change: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        outlet: Outlet,
+        clock: Clock,
+        on_change: Callable[[], None],
+        on_holder: Callable[[], None] = lambda: None,
+    ) -> None:
+        """`on_holder` is called when another browser, or none, has control."""
         self._event = outlet.event
-        # Set by the composition root: called when another browser, or none, has control.
-        self.on_holder: Callable[[], None] | None = None
+        self._on_holder = on_holder
         self._clock = clock
         self._on_change = on_change
         self._input = GamepadInput()
@@ -124,8 +130,8 @@ class Stick:
         """
         is_news = holder != self._holder
         self._holder, self._kept, self._kept_since_s = holder, kept, self._clock.steady_s()
-        if is_news and self.on_holder is not None:
-            self.on_holder()
+        if is_news:
+            self._on_holder()
         may_fly = holder or kept
         if self._pilot is not None and (may_fly is None or may_fly.id != self._pilot.id):
             self._end("control_lost")

@@ -70,21 +70,21 @@ class FlightNotes:
 class NotedBroadcast(Broadcast):
     """Sends to the stations, and notes each event at the very time that the stations are told."""
 
-    def __init__(self, clock: LineClock) -> None:
+    def __init__(self, clock: LineClock, notes: FlightNotes, on_parameters: Callable[[], None]) -> None:
+        """`on_parameters` is called when gains have changed."""
         super().__init__(self._event_s)
         self._clock = clock
         self._event_ns = 0
-        # Set by the composition root, which makes the recorder later.
-        self.notes: FlightNotes | None = None
-        self.on_parameters: Callable[[], None] | None = None
+        self._notes = notes
+        self.on_parameters = on_parameters
 
     def event(self, event: Event, /) -> None:
         """Something happened."""
         self._event_ns = self._clock.now_ns()
         is_sent_text = isinstance(event, ConsoleEvent) and event.direction == "sent"
-        if self.notes is not None and (isinstance(event, _NOTED) or is_sent_text):
-            self.notes.event(event, self._event_ns)
-        if isinstance(event, ParameterEvent) and self.on_parameters is not None:
+        if isinstance(event, _NOTED) or is_sent_text:
+            self._notes.event(event, self._event_ns)
+        if isinstance(event, ParameterEvent):
             self.on_parameters()
         super().event(event)
 

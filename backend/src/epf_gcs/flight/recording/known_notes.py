@@ -8,11 +8,10 @@ from epf_gcs import __version__
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.events import ControlEvent, Event
 from epf_gcs.flight.board.board_link import Supervisor
-from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
-from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
+from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.recordings.notes import IDENTITY, LINE, PARAMETERS, PLAN
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.parameters import gain_state
@@ -37,6 +36,7 @@ class KnownNotes:
         self,
         notes: FlightNotes,
         board: Board,
+        *,
         parameters: Parameters,
         stick: Stick,
         supervisor: Supervisor,
@@ -51,14 +51,6 @@ class KnownNotes:
         self._simulator = simulator
         self._aircraft = aircraft
         self._plans: set[str] = set()
-
-    def listen(self, outlet: NotedBroadcast, missions: Missions) -> None:
-        """Be called for each change from now on, but for `identity` and `lines`; and note who begins."""
-        outlet.notes = self._notes
-        outlet.on_parameters = self.parameters
-        missions.on_read = self.plan
-        self._stick.on_holder = self.holder
-        self.identity()
 
     def identity(self) -> None:
         """Whose board and station it is, and who has control."""

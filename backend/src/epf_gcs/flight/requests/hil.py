@@ -123,7 +123,7 @@ def take_stick_notice(stick: Stick, notice: Notice) -> None:
         case ControlChange(client=None):
             stick.control_changed(None)
         case ControlChange(str(client), name, about, kept):
-            page = Client(client, name or "", dict(about))
+            page = Client(client, name or "", about)
             if kept:
                 stick.control_changed(None, page)
             else:

@@ -46,25 +46,32 @@ class LinkOpener:
             self.hil.on_datagram(datagram)
 
 
+@dataclass(frozen=True, slots=True)
+class BothLines:
+    """The board's line, the simulator's, and the loop between them."""
+
+    board: Board
+    supervisor: Supervisor
+    simulator: Simulator
+    hil: Hil
+
+
 class Lines:
     """Remembers which lines were open, to reopen them at the next start; the emulation is not remembered."""
 
     def __init__(
         self,
+        both: BothLines,
         *,
-        board: Board,
-        supervisor: Supervisor,
-        simulator: Simulator,
-        hil: Hil,
         parameters: Parameters,
         memory: Memory,
         recorder: Recorder | None,
         on_change: Callable[[], None],
     ) -> None:
-        self._board = board
-        self._supervisor = supervisor
-        self._simulator = simulator
-        self._hil = hil
+        self._board = both.board
+        self._supervisor = both.supervisor
+        self._simulator = both.simulator
+        self._hil = both.hil
         self._parameters = parameters
         self._memory = memory
         self._recorder = recorder

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from epf_gcs.contract.answers import BatteryPack
-from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.parameters import Parameters
-from epf_gcs.flight.hil.hil import Hil
-from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.state.lines import BothLines
 from epf_gcs.link.descriptor import DescriptorLink
 from epf_gcs.link.read_budget import MOST_BYTES_PER_S
-from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import (
     Finding,
     Line,
@@ -32,30 +29,27 @@ class Watch:
 
     def __init__(
         self,
+        both: BothLines,
         *,
-        supervisor: Supervisor,
-        board: Board,
         telemetry: Telemetry,
         parameters: Parameters,
-        simulator: Simulator,
-        hil: Hil,
         recorder: Recorder | None,
         steady_s: Callable[[], float],
         wants: Callable[[str], bool],
         surroundings: ToldSurroundings,
     ) -> None:
-        self._supervisor = supervisor
-        self._board = board
+        self._supervisor = both.supervisor
+        self._board = both.board
         self._telemetry = telemetry
         self._parameters = parameters
-        self._simulator = simulator
-        self._hil = hil
+        self._simulator = both.simulator
+        self._hil = both.hil
         self._recorder = recorder
         self.surroundings = surroundings
         self._steady_s = steady_s
         self._wants = wants
         self._wanted_since_s: float | None = None
-        self._vehicle = VehicleWatch(board, telemetry, steady_s())
+        self._vehicle = VehicleWatch(both.board, telemetry, steady_s())
         self._strangers = StrangersJudge(steady_s())
         self._flood = FloodJudge()
 

@@ -47,6 +47,7 @@ class ReplayConversation:
         connection: SocketConnection,
         caller: Caller,
         replay: ViewersReplay,
+        *,
         rate_hz: int,
         on_start: Callable[[asyncio.Task[None]], None],
         on_end: Callable[[], None],

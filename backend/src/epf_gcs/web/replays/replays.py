@@ -77,7 +77,7 @@ class Replays:
             on_end()
 
         replay = ViewersReplay(file.stem, lambda: self._process(file), at_s)
-        return ReplayConversation(connection, caller, replay, rate_hz, self._start, leave)
+        return ReplayConversation(connection, caller, replay, rate_hz=rate_hz, on_start=self._start, on_end=leave)
 
     async def close(self) -> None:
         """End all: the web process ends."""

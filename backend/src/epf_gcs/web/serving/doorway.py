@@ -43,6 +43,7 @@ class Doorway:
         context: Callable[[], ssl.SSLContext],
         encrypted: Factory,
         plain: Factory,
+        *,
         visitors: Visitors,
         handshakes: Handshakes | None = None,
     ) -> None:

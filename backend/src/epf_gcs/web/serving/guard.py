@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import ipaddress
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Iterable, MutableMapping, Sequence
+from dataclasses import dataclass
 from http import HTTPStatus
-from types import MappingProxyType
 from typing import Any, Final
 from urllib.parse import urlsplit
 
@@ -31,6 +31,7 @@ from epf_gcs.errors import (
     TooManyError,
 )
 from epf_gcs.web.serving.access_table import API, Entry, Gate
+from epf_gcs.web.serving.body_limits import BodyLimits
 from epf_gcs.web.serving.problems import problem_of, problem_response
 from epf_gcs.web.serving.uploads import Uploads
 
@@ -112,33 +113,35 @@ class Access:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class Entrance:
+    """Who may ask what, and how much."""
+
+    access: Access
+    admission: Admission
+    gate: Gate
+    limits: CallerLimits
+
+
 class Guard:
     """ASGI middleware around all HTTP requests."""
 
     def __init__(
         self,
         app: ASGIApp,
-        access: Access,
-        admission: Admission,
-        gate: Gate,
-        limits: CallerLimits,
+        entrance: Entrance,
+        bodies: BodyLimits,
         errors: ErrorLog,
-        max_body_bytes: int,
-        longer_bodies: Mapping[str, int] = MappingProxyType({}),
-        streamed_bodies: frozenset[str] = frozenset(),
         answers: Counter[int] | None = None,
     ) -> None:
-        """`longer_bodies`: path -> largest body in bytes, for routes that take files. `streamed_bodies`: paths whose
-        routes read the body themselves and limit it. `answers`: counts the answers of each status."""
+        """`answers`: counts the answers of each status."""
         self._app = app
-        self._access = access
-        self._admission = admission
-        self._gate = gate
-        self._limits = limits
+        self._access = entrance.access
+        self._admission = entrance.admission
+        self._gate = entrance.gate
+        self._limits = entrance.limits
+        self._bodies = bodies
         self._errors = errors
-        self._max_body_bytes = max_body_bytes
-        self._longer_bodies = longer_bodies
-        self._streamed_bodies = streamed_bodies
         self._uploads = Uploads()
         self._answers: Counter[int] = Counter() if answers is None else answers
 
@@ -195,10 +198,10 @@ class Guard:
             send = deed.send
         else:
             deed = None
-        if scope["path"] in self._streamed_bodies:
+        if scope["path"] in self._bodies.streamed:
             await self._stream(caller, scope, receive, send)
             return
-        most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)
+        most_bytes = self._bodies.longer.get(scope["path"], self._bodies.most_bytes)
         body = await _read_body(receive, most_bytes)
         if body is None:
             too_large = GatewayError(

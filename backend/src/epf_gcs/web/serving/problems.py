@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from http import HTTPStatus
-from typing import Any, Final
+from typing import Final
 
 import orjson
 from fastapi import FastAPI, Request
@@ -12,7 +12,7 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 
-from epf_gcs.contract.shapes import Problem
+from epf_gcs.contract.shapes import Answers, Problem
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import (
     BoardError,
@@ -71,7 +71,7 @@ _DESCRIPTIONS: Final = {
 }
 
 
-def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
+def problems(*statuses: int) -> Answers:
     """Documentation of the problems that a route can answer with."""
     return {
         status: {"model": Problem, "description": _DESCRIPTIONS[status]}
@@ -79,7 +79,7 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     }
 
 
-def reading_problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
+def reading_problems(*statuses: int) -> Answers:
     """The same for a route that only reads."""
     return {
         status: {"model": Problem, "description": _DESCRIPTIONS[status]}

@@ -6,14 +6,14 @@ from collections import deque
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any, Final
+from typing import Final
 
 import orjson
 
+from epf_gcs.contract.base import Values
+
 # Half a second of the fastest line. A viewer of every sample that is further behind gets the number it missed.
 _LOG_SAMPLES: Final = 256
-
-Values = Mapping[str, Any]
 
 
 @dataclass(slots=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final, Literal
 
+from epf_gcs.contract.base import Values
 from epf_gcs.formats.kml_live import Aircraft
 from epf_gcs.formats.kml_words import Words
 from epf_gcs.units import ft_from_m, m_from_ft
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 Which = Literal["flight", "hil"]

@@ -9,11 +9,11 @@ import structlog
 
 from epf_gcs.bus.definition import NamedText
 from epf_gcs.clock import Clock
+from epf_gcs.contract.base import Values
 from epf_gcs.contract.events import FlightProcessEvent
 from epf_gcs.contract.hello import ControlHolder, Hello
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.status import Status
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.vehicle.absent_flight import status_without_flight
 

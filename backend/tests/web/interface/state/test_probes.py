@@ -68,8 +68,8 @@ def read(text: str) -> dict[tuple[str, str], float]:
 
 def test_all_is_well(status: dict[str, Any]) -> None:
     code, body = health(read_as(Status, status), ROOM)
-    assert (code, body["status"], body["failed"]) == (200, "ok", [])
-    states = {name: part["state"] for name, part in body["parts"].items()}
+    assert (code, body.status, body.failed) == (200, "ok", [])
+    states = {name: part.state for name, part in body.parts.items()}
     assert states == {
         "web": "ok",
         "flight": "ok",
@@ -86,7 +86,7 @@ def test_each_part_that_failed_is_named(status: dict[str, Any]) -> None:
         for part, values in changes.items():
             changed[part] |= values
         code, body = health(read_as(Status, changed), ROOM)
-        return code, body["failed"]
+        return code, body.failed
 
     assert after(board={"state": "lost"}) == (503, ["board"])
     assert after(board={"state": "opening", "failure": FAILURE}) == (503, ["board"])
@@ -102,10 +102,10 @@ def test_each_part_that_failed_is_named(status: dict[str, Any]) -> None:
 
 def test_without_the_flight_process_or_a_disk_it_is_not_well(status: dict[str, Any], tmp_path: Path) -> None:
     code, body = health(None, ROOM)
-    assert (code, body["failed"]) == (503, ["flight"])
-    assert health(read_as(Status, status), Disk(LEAST_FREE_BYTES - 1, ROOM.total_bytes))[1]["failed"] == ["disk"]
+    assert (code, body.failed) == (503, ["flight"])
+    assert health(read_as(Status, status), Disk(LEAST_FREE_BYTES - 1, ROOM.total_bytes))[1].failed == ["disk"]
     assert disk_of(tmp_path / "gone") is None
-    assert health(read_as(Status, status), disk_of(tmp_path / "gone"))[1]["failed"] == ["disk"]
+    assert health(read_as(Status, status), disk_of(tmp_path / "gone"))[1].failed == ["disk"]
     assert disk_of(tmp_path) is not None
 
 

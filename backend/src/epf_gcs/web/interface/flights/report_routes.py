@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import base64
 import hashlib
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Final, Literal
 
 from fastapi import APIRouter, Path, Query
 from fastapi.responses import HTMLResponse, Response
 
 from epf_gcs.contract.report import FlightReport
+from epf_gcs.contract.shapes import Description
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
 from epf_gcs.library.flights import Flights
 from epf_gcs.recordings.places import ID_PATTERN
@@ -19,7 +20,7 @@ from epf_gcs.web.serving.problems import reading_problems
 
 router = APIRouter(prefix="/flights", tags=["flights"])
 
-_HTML: Final[dict[str, Any]] = {"schema": {"type": "string"}}
+_HTML: Final[Description] = {"schema": {"type": "string"}}
 
 
 @router.get(

@@ -11,7 +11,7 @@ from fastapi.responses import FileResponse, Response
 from starlette.requests import ClientDisconnect
 
 from epf_gcs.contract.maps import MapImport, problem_parts
-from epf_gcs.contract.shapes import FILE, file_body
+from epf_gcs.contract.shapes import FILE, Answers, file_body
 from epf_gcs.errors import ConflictError
 from epf_gcs.maps.layer import VECTOR_TYPE, Description, Layer, Tile
 from epf_gcs.maps.open_files import Stamp
@@ -26,7 +26,7 @@ IMPORTS_PATH: Final = "/map/imports"
 _CACHE: Final = "private, max-age=600"
 _PICTURES: Final = ("image/png", "image/jpeg", "image/webp", VECTOR_TYPE)
 _MESH: Final = "application/vnd.quantized-mesh"
-_GONE: Final[dict[int | str, dict[str, Any]]] = {
+_GONE: Final[Answers] = {
     204: {"description": "There is no tile here."},
     304: {"description": "The caller has it already."},
 }

@@ -34,9 +34,8 @@ def probe_router(
         """Whether each part is well: 200, or 503 where one failed. A stranger hears that alone, and
         whether the processes answer: a container that is well is not started again because a cable was pulled."""
         code, body = health(status(), disk())
-        if caller(request) is None:
-            body = {"status": body["status"], "processes": body["processes"]}
-        return Response(orjson.dumps(body), code, media_type="application/json", headers=_FRESH)
+        told = body if caller(request) is not None else {"status": body.status, "processes": body.processes}
+        return Response(orjson.dumps(told), code, media_type="application/json", headers=_FRESH)
 
     @router.get("/metrics")
     async def get_metrics() -> Response:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from functools import cache
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 from fastapi import APIRouter, Query
 from fastapi.responses import Response, StreamingResponse
 
 from epf_gcs.contract.answers import TrackState
-from epf_gcs.contract.shapes import FILE
+from epf_gcs.contract.shapes import FILE, Answers
 from epf_gcs.formats import aircraft_model, czml, gpx_track, kml, kmz
 from epf_gcs.formats.czml import MovingTrack, czml_pieces
 from epf_gcs.formats.gpx_track import TimedTrack, gpx_track_pieces
@@ -42,7 +42,7 @@ MostPoints = Annotated[
 Index = Annotated[int, Query(ge=0, le=0xFFFFFFFF)]
 
 
-def file_answer(media_type: str) -> dict[int | str, dict[str, Any]]:
+def file_answer(media_type: str) -> Answers:
     """Documentation of an answer that is a file."""
     return {200: {"content": {media_type: FILE}}, **reading_problems()}
 
