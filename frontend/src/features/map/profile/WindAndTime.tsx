@@ -3,7 +3,7 @@ import type { Aircraft } from "../../../lib/aircraft";
 import { formatFixed, formatHeading, formatMinutes } from "../../../lib/format";
 import { legsOf, type Waypoint } from "../../../lib/plan";
 import { legTimes_s } from "../../../lib/wind";
-import { Rehearsal } from "../../../missions/Rehearsal";
+import { RehearsalPanel } from "../../../missions/RehearsalPanel";
 import { useEnteredWind } from "../../../missions/useWind";
 import { useUnit } from "../../../readouts/useUnit";
 
@@ -25,7 +25,7 @@ export function WindAndTime({ aircraft, waypoints, onGo }: Props) {
 
   return (
     <>
-      <Rehearsal plan={aircraft} onGo={onGo} />
+      <RehearsalPanel plan={aircraft} onGo={onGo} />
       <p role="status">
         {isFlown ? t("map.profile.total", { time: formatMinutes(total_s) }) : t("map.profile.tooStrong")}
       </p>

@@ -13,7 +13,7 @@ import { useRehearsal, useRehearsalText } from "./useRehearsal";
 import "./rehearsal.css";
 
 /** Flies a plan in the model at any time, also without a board, and lists what it found with its legs. */
-export function Rehearsal({ plan, onGo }: { plan: PlanName; onGo: (row: number) => void }) {
+export function RehearsalPanel({ plan, onGo }: { plan: PlanName; onGo: (row: number) => void }) {
   const { t } = useTranslation();
   const waypoints = usePlans((plans) => plans[plan].draft.present);
   const { isFlying, fly } = useRehearsal(plan);

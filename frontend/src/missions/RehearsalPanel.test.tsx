@@ -6,7 +6,7 @@ import { type FakeRequest, Station } from "../test/station";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
 import { editPlan, MISSIONS } from "./planDrafts";
-import { Rehearsal } from "./Rehearsal";
+import { RehearsalPanel } from "./RehearsalPanel";
 
 const user = userEvent.setup();
 const first: Waypoint = { latitude_deg: 27.9515, longitude_deg: -15.3741, altitude_ft: 700, speed_kt: 55 };
@@ -17,7 +17,7 @@ function open(): { station: Station; gone: number[] } {
   const gone: number[] = [];
   const station = new Station(
     <WordsProvider words={WORDS}>
-      <Rehearsal plan="flight" onGo={(row) => gone.push(row)} />
+      <RehearsalPanel plan="flight" onGo={(row) => gone.push(row)} />
     </WordsProvider>,
   );
   station.greet();
