@@ -65,6 +65,7 @@ ErrorCode = Literal[
     "field_source_empty",
     "field_source_forbids",
     "field_source_silent",
+    "field_source_unreachable",
     "field_source_wrong",
     "field_terms",
     "field_too_large",

@@ -134,7 +134,11 @@ class Fetcher:
             raise local(Source("field", self._part.name, self._part.address(place), self._part.attribution)) from None
         except (httpx.InvalidURL, httpx.UnsupportedProtocol):
             raise self._wrong_answer("address").problem from None
-        except (httpx.HTTPError, OSError, TimeoutError) as error:
+        except (TimeoutError, httpx.TimeoutException) as error:
+            raise _LaterError(self._silent(f"{longest_s:.0f} s")) from error
+        except (httpx.ConnectError, OSError) as error:
+            raise _LaterError(self._unreachable()) from error
+        except httpx.HTTPError as error:
             raise _LaterError(self._silent(type(error).__name__)) from error
 
     async def _read(self, answer: httpx.Response) -> bytes:
@@ -186,6 +190,13 @@ class Fetcher:
         if self._part.kind == "vector":
             return is_whole_vector(data)
         return is_whole_terrarium(data) if self._part.kind == "heights" else is_whole_picture(data)
+
+    def _unreachable(self) -> GatewayError:
+        return ConflictError(
+            "field_source_unreachable",
+            f"'{self._part.name}' cannot be reached: does this computer have internet? It is asked again by itself.",
+            name=self._part.name,
+        )
 
     def _silent(self, why: str) -> GatewayError:
         return ConflictError(
