@@ -1,5 +1,6 @@
 import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
+import { useState } from "react";
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { aStatus } from "../../test/aStatus";
@@ -340,4 +341,30 @@ test("a built-in route is taken by the board, and then read from it", async () =
   await newest("GET", /missions\/hil$/).answer({ plan: "hil", waypoints: plan });
   expect(altitudes()).toEqual(["700", "1000", "1000"]);
   expect(state()).toBe("igual que en la placa");
+});
+
+test("the plan that is flown is open first, and stays when the simulator stops", async () => {
+  function Later() {
+    const [isOpen, setOpen] = useState(false);
+    return isOpen ? (
+      <PlansView map={() => null} />
+    ) : (
+      <button type="button" onClick={() => setOpen(true)}>
+        Abrir
+      </button>
+    );
+  }
+  station = new Station(
+    <WordsProvider words={WORDS}>
+      <Later />
+    </WordsProvider>,
+  );
+  station.greet();
+  station.send({ simulator: { latitude_deg: 28 } });
+  await user.click(button("Abrir"));
+  const isOpen = (): string | null =>
+    screen.getByRole("tab", { name: "Plan HIL" }).getAttribute("aria-selected");
+  expect(isOpen()).toBe("true");
+  station.pass(60_000);
+  expect(isOpen()).toBe("true");
 });
