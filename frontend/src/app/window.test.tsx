@@ -138,3 +138,17 @@ test("beside the past the alarms say that they are the present's, and no tab cou
   expect(strip.textContent).toMatch(/^AHORA.*latido perdido/);
   expect(document.querySelectorAll(".alarms-unseen")).toHaveLength(0);
 });
+
+test("a link whose heartbeat stopped is not said to be connected", () => {
+  const station = flying();
+  station.send({ heartbeat: { autopilot: true } });
+  const bar = screen.getByRole("contentinfo");
+  expect(bar.textContent).toContain("conectado");
+  // Other values still come.
+  for (let turn = 0; turn < 8; turn += 1) {
+    station.pass(700);
+    station.send({ ahrs: { roll_deg: 1 } });
+  }
+  expect(bar.textContent).not.toContain("conectado");
+  expect(bar.textContent).toContain("sin latido");
+});

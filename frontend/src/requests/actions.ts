@@ -129,7 +129,7 @@ interface Result {
 export function resultMessage(what: string, { state, by, ms, reason }: Result): Message {
   switch (state) {
     case "confirmed":
-      return info("said.confirmedBy", { what, by: `@by.${by}`, ms: Math.round(ms) });
+      return info("said.confirmedBy", { what, by: `@by.${by}`, ms: ms < 1 ? "<1" : Math.round(ms) });
     case "sent":
       return info("said.sent", { what });
     case "rejected":

@@ -19,6 +19,14 @@ export function pageName(t: TFunction, { client, name, kind, number }: NamedPage
   return number === null || number < 2 ? t("control.station") : t("control.stationPage", { number });
 }
 
+/** How the station calls whoever commands from its own computer; kept in recordings. */
+export const THIS_COMPUTER = "this computer";
+
+/** An operator's name of a recording; the station's own computer is named in the user's language. */
+export function operatorName(t: TFunction, name: string | null): string | null {
+  return name === THIS_COMPUTER ? t("control.station") : name;
+}
+
 /** The page that has control, if another one has it. */
 export function otherHolder({ status, client }: Connection): NamedPage | null {
   const control = status?.control;

@@ -89,7 +89,7 @@ export function LinkState() {
   return (
     <span className="app-status-item" data-level={level}>
       <span className="app-lamp" aria-hidden="true" />
-      <span>{t(`link.${state}`)}</span>
+      <span>{t(state === "open" && heartbeat === "stale" ? "link.silent" : `link.${state}`)}</span>
       <span className="app-status-label">{t("status.heartbeat")}</span>
       <SteadyText ref={age} chars={6} className="app-number" />
     </span>

@@ -131,6 +131,8 @@ test("the help sheet, opened by a question mark, names every key", () => {
   expect(shown).toContain("Mayús A Intro");
   expect(shown).toContain("?");
   expect(shown).toContain("Mayús ← →");
+  expect(shown).toContain("Re Pág Av Pág");
+  expect(shown).toContain("Inicio Fin");
   // The sheet keeps the keys from the page.
   press("1", sheet);
   expect(sheet.isConnected).toBe(true);

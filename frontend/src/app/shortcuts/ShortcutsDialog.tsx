@@ -47,9 +47,19 @@ export function ShortcutsContent() {
   );
 }
 
+const NAMED_KEYS: Readonly<Record<string, "shift" | "space" | "pageUp" | "pageDown" | "home" | "end">> = {
+  Shift: "shift",
+  Space: "space",
+  PgUp: "pageUp",
+  PgDn: "pageDown",
+  Home: "home",
+  End: "end",
+};
+
 /** Keys that have a name of their own in a language. */
 function keyWord(t: TFunction, key: string): string {
-  return key === "Shift" ? t("shortcut.shift") : key === "Space" ? t("shortcut.space") : key;
+  const name = NAMED_KEYS[key];
+  return name === undefined ? key : t(`shortcut.${name}`);
 }
 
 function Key({ shortcut }: { shortcut: Shortcut }) {

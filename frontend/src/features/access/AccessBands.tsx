@@ -71,7 +71,7 @@ function Request({ request }: { readonly request: ControlRequest }) {
   const of = `control.answer.${request.client}`;
   return (
     <div className="app-control-request">
-      <strong>{t("control.asks", { name })}</strong>
+      <strong>{capitalised(t("control.asks", { name }))}</strong>
       <Change change={{ action: "grant", to: request.client }} of={of} variant="primary" blocked={undefined}>
         {t("control.grant")}
       </Change>
@@ -86,4 +86,9 @@ function Request({ request }: { readonly request: ControlRequest }) {
       </span>
     </div>
   );
+}
+
+/** A sentence that may begin with a name like "the station's computer". */
+function capitalised(sentence: string): string {
+  return sentence.charAt(0).toLocaleUpperCase() + sentence.slice(1);
 }

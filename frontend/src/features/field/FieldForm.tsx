@@ -43,6 +43,10 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
     newDraft(wishes.getState().wish?.centre ?? aircraft ?? plans.flight[0] ?? plans.hil[0] ?? null, ""),
   );
   const [accepted, setAccepted] = useState<string | null>(null);
+  const isFirst = useStore(
+    field.store,
+    ({ known, packs }) => packs.length + (known?.fields.length ?? 0) === 0,
+  );
   const plan = draft.where === "circle" ? [] : plans[draft.where];
   const order = orderOf(draft, plan, sources);
   const asked = JSON.stringify(order);
@@ -56,8 +60,8 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
   }
 
   return (
-    <section className="field-form" aria-label={t("field.new")}>
-      <h3>{t("field.new")}</h3>
+    <section className="field-form" aria-label={t(isFirst ? "field.first" : "field.new")}>
+      <h3>{t(isFirst ? "field.first" : "field.new")}</h3>
       <TextField
         label={t("field.name")}
         value={draft.name}

@@ -5,6 +5,7 @@ import { useSentence } from "../../i18n/useSentence";
 import { formatDateTime } from "../../lib/moment";
 import type { Flight } from "../../protocol/guards.gen";
 import { useAsked } from "../../requests/useAsked";
+import { operatorName } from "../../requests/useControl";
 import { usePart } from "../../store/hooks";
 import { failureMessage } from "../../store/messages";
 import { Button } from "../../ui/Button";
@@ -144,7 +145,7 @@ function Facts({ flight }: { readonly flight: Flight }) {
     [t("flights.board"), flight.board] as const,
     [t("flights.firmware"), flight.firmware] as const,
     [t("flights.aircraft"), flight.aircraft] as const,
-    [t("flights.operator"), flight.operator] as const,
+    [t("flights.operator"), operatorName(t, flight.operator)] as const,
     [t("flights.station"), flight.station] as const,
   ];
   return (

@@ -1,6 +1,7 @@
 import type { FlightEvent } from "../../protocol/guards.gen";
 import { resultMessage } from "../../requests/actions";
 import { info } from "../../requests/asking";
+import { THIS_COMPUTER } from "../../requests/useControl";
 import { adviceMessage } from "../../store/advice";
 import { type Message, wordsOf } from "../../store/messages";
 
@@ -21,9 +22,6 @@ const GROUP_OF: Readonly<Record<string, EventGroup>> = {
   waypoint: "waypoint",
   mark: "mark",
 };
-
-/** How the gateway names who sits at its own computer. */
-const THIS_COMPUTER = "this computer";
 
 /** What is of no other group went wrong: gaps, damage, lines and recordings that were lost, restarts. */
 export function groupOf({ kind }: Pick<FlightEvent, "kind">): EventGroup {

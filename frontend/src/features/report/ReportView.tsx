@@ -5,6 +5,7 @@ import { useStore } from "zustand";
 import { useSentence } from "../../i18n/useSentence";
 import { formatDateTime, formatFlightTime } from "../../lib/moment";
 import type { FlightReport } from "../../protocol/guards.gen";
+import { operatorName } from "../../requests/useControl";
 import { usePart, useSettings } from "../../store/hooks";
 import { failureMessage } from "../../store/messages";
 import { Button } from "../../ui/Button";
@@ -91,7 +92,13 @@ function Report({ name, report }: { readonly name: string; readonly report: Flig
   const begun = formatDateTime(report.times.started_s);
   const { t } = useTranslation();
   const { identity, battery, alarms, marks } = report;
-  const facts = [identity.aircraft, identity.board, identity.firmware, identity.operator, report.flight];
+  const facts = [
+    identity.aircraft,
+    identity.board,
+    identity.firmware,
+    operatorName(t, identity.operator),
+    report.flight,
+  ];
   return (
     <article className="report-sheet">
       <h2>{t("report.title")}</h2>

@@ -123,7 +123,7 @@ function BoardButtons({ url }: { url: string | null }) {
     <>
       <div className="setup-buttons">
         <Button
-          variant="primary"
+          variant={isClosed ? "primary" : "plain"}
           onPress={() => {
             if (url !== null) {
               void actions.openBoard(url, { control: "board" });

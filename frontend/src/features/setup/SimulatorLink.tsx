@@ -122,7 +122,7 @@ function SimulatorForm() {
       </div>
       <div className="setup-buttons">
         <Button
-          variant="primary"
+          variant={state === "closed" ? "primary" : "plain"}
           onPress={() => void actions.openSimulator({ ...link, send_host: host }, { control: "simulator" })}
           state={opening.wanted === "close" ? "idle" : opening.state}
           disabledReason={blocked ?? (host === "" ? t("setup.noHost") : undefined)}
