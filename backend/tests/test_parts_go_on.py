@@ -25,7 +25,7 @@ TURNS: dict[str, tuple[str, str, dict[str, float]]] = {
     "bus.vehicle_end": ("Broadcast", "_send_due", {}),
     "flight.flight": ("Flight", "_send_status", {}),
     "flight.hil.emulation": ("EmulationLink", "_step", {}),
-    "flight.hil.hil": ("Hil", "_show", {}),
+    "flight.hil.hil": ("Hil", "show", {}),
     "flight.state.advised": ("AdviceWatch", "_look", {"_EVERY_S": SOON_S}),
     "flight.state.housekeeping": ("Housekeeping", "_tick", {}),
     "library.queries": ("Queries", "_look", {"_LOOK_EVERY_S": SOON_S}),

@@ -194,7 +194,7 @@ class Hil:
         return info._replace(elevator=elevator, aileron=aileron, rudder=rudder, throttle=throttle)
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
-        """Send at once what depends on a complete frame of the simulator; everything else waits for `_show`."""
+        """Send at once what depends on a complete frame of the simulator; everything else waits for `show`."""
         if self._board.is_emulated:
             self.skipped["emulation"] += 1
             return
