@@ -124,7 +124,7 @@ export const SCREENS: readonly Screen[] = [
         (name): Part => ({ role: "region", name }),
       ),
       ...GAINS.map((name): Part => ({ role: "textbox", name })),
-      ...["Load", "Store", "Guardar en fichero", "Abrir fichero"].map(
+      ...["Load", "Store", "Guardar en archivo", "Abrir archivo"].map(
         (name): Part => ({ role: "button", name: new RegExp(`^${name}`) }),
       ),
     ],

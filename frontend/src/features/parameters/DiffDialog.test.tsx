@@ -65,14 +65,14 @@ describe("a change of several", () => {
     await open();
     await choose("k_roll = 2", "notes.json");
     expect((await screen.findByRole("alert")).textContent).toContain(
-      "notes.json no es un fichero JSON entero",
+      "notes.json no es un archivo JSON entero",
     );
     expect(screen.queryByRole("dialog")).toBeNull();
   });
 
   test("a saved file holds what the board has and says which board", async () => {
     await open({ k_roll: { value: 2.5 } });
-    await user.click(screen.getByRole("button", { name: "Guardar en fichero" }));
+    await user.click(screen.getByRole("button", { name: "Guardar en archivo" }));
     const [saved] = station.saved;
     expect(saved?.name).toMatch(/^epf-parameters-\d{8}-\d{6}\.json$/);
     const text = JSON.parse((await saved?.content.text()) ?? "");

@@ -30,7 +30,7 @@ describe("the gains as the board has them", () => {
     expect(field("k_roll").value).toBe("");
     expect(field("k_roll").placeholder).not.toMatch(/\d/);
     expect(screen.getByText(/todavía no se han leído/)).toBeDefined();
-    await user.click(screen.getByRole("button", { name: "Guardar en fichero" }));
+    await user.click(screen.getByRole("button", { name: "Guardar en archivo" }));
     expect(station.saved).toEqual([]);
   });
 

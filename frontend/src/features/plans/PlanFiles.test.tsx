@@ -89,7 +89,7 @@ test("files are read by the gateway into the table, with what had to be supposed
   const notes = [{ code: "speed_missing", params: { count: 3, speed_kt: 55 } }];
   await asked.answer({ format: "kml", waypoints: imported(null), notes });
   expect(altitudes()).toEqual(["700", "1000", "1000"]);
-  expect(document.body.textContent).toContain("3 waypoints sin velocidad en el fichero: se ha puesto 55 kt.");
+  expect(document.body.textContent).toContain("3 waypoints sin velocidad en el archivo: se ha puesto 55 kt.");
   expect(state()).toBe("no se sabe qué tiene la placa");
   expect(station.asked).toHaveLength(1);
 });

@@ -200,7 +200,7 @@ test("a file's fence is drawn and not yet watched, what it could not bring is sa
   });
   expect(drawn()).toEqual(there);
   expect(screen.getByText(/campo uno.plan: esquinas leídas: 3/)).toBeTruthy();
-  expect(screen.getByText(/Zonas prohibidas del fichero .*: 2/)).toBeTruthy();
+  expect(screen.getByText(/Zonas prohibidas del archivo .*: 2/)).toBeTruthy();
   expect(screen.getByText(/techo de 1200 ft/)).toBeTruthy();
   expect(screen.getByText(/Sin guardar/)).toBeTruthy();
   expect(station.asked.filter(({ method }) => method === "PUT")).toEqual([]);
@@ -216,7 +216,7 @@ test("a file's fence is drawn and not yet watched, what it could not bring is sa
   );
   expect(
     screen.getByText(
-      "foto.kml no es una valla que se pueda leer: KML, KMZ, .plan, un .waypoints con elementos de valla, o líneas de latitud y longitud. Elige otro fichero.",
+      "foto.kml no es una valla que se pueda leer: KML, KMZ, .plan, un .waypoints con elementos de valla, o líneas de latitud y longitud. Elige otro archivo.",
     ),
   ).toBeTruthy();
   expect(drawn()).toEqual(CORNERS);
