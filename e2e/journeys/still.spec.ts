@@ -17,7 +17,9 @@ async function boxes(page: Page): Promise<Boxes> {
       "button, [role=menuitem], [role=tab], input, select, .ui-switch-option",
     )) {
       const { x, y, width, height } = one.getBoundingClientRect();
-      if (one.closest(".ui-alarms") === null && one.checkVisibility()) {
+      // What is scrolled out of sight is under no finger.
+      const isSeen = y < window.innerHeight && one.checkVisibility();
+      if (isSeen && one.closest(".ui-alarms") === null) {
         const name = `${one.tagName} ${one.getAttribute("aria-label") ?? one.textContent}`;
         let key = name;
         for (let count = 2; key in found; count += 1) key = `${name} ${count}`;
