@@ -3,6 +3,7 @@ import userEvent from "@testing-library/user-event";
 import type { ComponentProps } from "react";
 import { expect, test, vi } from "vitest";
 import { NumberField } from "./NumberField";
+import { RefusalProvider } from "./refusal";
 import { renderWithWords } from "./test/testWords";
 
 function draw(props: Partial<ComponentProps<typeof NumberField>> = {}) {
@@ -175,4 +176,18 @@ test("disabled, it tells why and takes neither text nor steps", async () => {
   expect(onCommit).not.toHaveBeenCalled();
   expect(input.value).toBe("2");
   expect(screen.getByRole("textbox", { description: "no board link" })).toBe(input);
+});
+
+test("why an edit was refused is also said where answers stand", async () => {
+  const refuse = vi.fn();
+  renderWithWords(
+    <RefusalProvider value={refuse}>
+      <NumberField label="k_roll" value={2} minimum={0} maximum={10} step={1} onCommit={vi.fn()} />
+    </RefusalProvider>,
+  );
+  const input = screen.getByRole("textbox", { name: "k_roll" });
+  await userEvent.clear(input);
+  await userEvent.type(input, "1e9{Enter}");
+  expect(refuse).toHaveBeenCalledTimes(1);
+  expect(refuse.mock.calls[0]?.[0]).toContain("1e9");
 });

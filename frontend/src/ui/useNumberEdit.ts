@@ -1,6 +1,6 @@
 import { type KeyboardEvent, useState } from "react";
 import { parseNumber, stepped, twoReadings } from "./number";
-import { usePress } from "./refusal";
+import { usePress, useRefuse } from "./refusal";
 import type { CommandState } from "./words";
 import { useWords, type Words } from "./words";
 
@@ -51,6 +51,7 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   const canStep = disabledReason === undefined && from !== null;
   const press = usePress(disabledReason ?? (from === null ? words.unknown : undefined));
   const pressEnter = usePress(disabledReason);
+  const tell = useRefuse();
 
   function forget(): void {
     setDraft(null);
@@ -85,6 +86,8 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   }
 
   function complain(text: string, why: string, leaves: boolean): void {
+    // Also where answers stand: the field may be out of sight, and the last answer there is of another edit.
+    tell(words.refusedEdit(text, why));
     if (leaves) {
       // The value must not stay hidden behind an edit that is not sent.
       setDraft(null);
