@@ -60,7 +60,7 @@ def _minute() -> list[Message | Note]:
     """Messages and notes of a minute of the demonstration, once its loop is closed."""
     with tempfile.TemporaryDirectory(prefix="epf-gcs-demonstration-") as data:
         program = Program(
-            [sys.executable, "-m", "epf_gcs.launcher", "--port", str(free_tcp_port()), "--data", data],
+            [sys.executable, "-m", "epf_gcs.launcher", "--port", str(free_tcp_port()), "--data-dir", data],
         )
         try:
             eventually(lambda: any(Path(data).glob("recordings/*.mcap")), "the demonstration is recorded")

@@ -113,7 +113,7 @@ def _station() -> Iterator[httpx.Client]:
     """The demonstration with the image as its board, the route loaded and the loop closed."""
     port = free_tcp_port()
     with tempfile.TemporaryDirectory() as data:
-        words = [sys.executable, "-m", "epf_gcs.launcher", "--board", "qemu", "--port", str(port), "--data", data]
+        words = [sys.executable, "-m", "epf_gcs.launcher", "--board", "qemu", "--port", str(port), "--data-dir", data]
         with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as launcher:
             try:
                 assert launcher.stdout is not None

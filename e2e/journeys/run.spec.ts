@@ -9,7 +9,7 @@ test("one command flies: it prints the page's address, the loop is closed, and C
 }) => {
   const data = await mkdtemp(path.join(tmpdir(), "epf-run-"));
   const port = await freeTcpPort();
-  const launcher = new Program("epf-run", `${ROOT}/.venv/bin/epf-run`, ["--port", `${port}`, "--data", data]);
+  const launcher = new Program("epf-run", `${ROOT}/.venv/bin/epf-run`, ["--port", `${port}`, "--data-dir", data]);
   const url = `http://127.0.0.1:${port}`;
   try {
     await until(`the address\n${launcher.output}`, () => (launcher.output.includes(url) ? true : undefined));

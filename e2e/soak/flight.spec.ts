@@ -51,7 +51,7 @@ test(`${MINUTES} minutes of flight leave memory flat, lose no frame and log no e
   test.setTimeout((MINUTES + 5) * 60_000);
   const data = await mkdtemp(path.join(tmpdir(), "epf-soak-"));
   const port = await freeTcpPort();
-  const launcher = new Program("epf-run", `${ROOT}/.venv/bin/epf-run`, ["--port", `${port}`, "--data", data]);
+  const launcher = new Program("epf-run", `${ROOT}/.venv/bin/epf-run`, ["--port", `${port}`, "--data-dir", data]);
   const said: string[] = [];
   page.on("console", (message) => {
     // The browser's own remark on software graphics: a frame is waited for.

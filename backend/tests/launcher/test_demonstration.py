@@ -36,7 +36,7 @@ class Run:
         self.url = f"http://{LOOPBACK}:{self.port}"
         self.data = data
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "epf_gcs.launcher", "--port", str(self.port), "--data", str(data), *arguments],
+            [sys.executable, "-m", "epf_gcs.launcher", "--port", str(self.port), "--data-dir", str(data), *arguments],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,

@@ -94,7 +94,9 @@ def run(
     data: Annotated[
         Path,
         typer.Option(
-            help="Folder for recordings, settings, the board's card and the programs' logs.", show_default=DEFAULT
+            "--data-dir",
+            help="Folder for recordings, settings, the board's card and the programs' logs.",
+            show_default=DEFAULT,
         ),
     ] = data_folder(),  # noqa: B008 - it does not change while the program runs
     version: Annotated[
@@ -169,12 +171,12 @@ def _alone(data: Path) -> Iterator[None]:
         opened = (data / "run.lock").open("w")
     except OSError as error:
         raise LaunchError(
-            f"The folder {data} cannot be written to ({error.strerror}): choose another with --data."
+            f"The folder {data} cannot be written to ({error.strerror}): choose another with --data-dir."
         ) from None
     with opened as file:
         if not lock(file):
             raise LaunchError(
-                f"Another epf-run is using the folder {data}: stop that one, or choose another with --data."
+                f"Another epf-run is using the folder {data}: stop that one, or choose another with --data-dir."
             )
         yield
 
