@@ -35,7 +35,7 @@ test("nothing keeps people out: every tab and window, in every look", async ({ p
   await open(page, flying);
   const found: string[] = [];
   const tabs = await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").all();
-  expect(tabs.length).toBe(13);
+  expect(tabs.length).toBe(14);
   for (const look of ["Oscuro", "Claro", "Sol"]) {
     await page.getByRole("combobox", { name: "Aspecto" }).selectOption(look);
     for (const tab of tabs) {

@@ -35,3 +35,36 @@ test("the page's numbers are the gateway's, in sign and size", { tag: ANY_STATIO
   const latitude = page.getByRole("tabpanel", { name: "Fast GPS" }).locator("dl > *", { hasText: "Latitud" });
   await expect(latitude).toContainText(/27\.9\d{5}/);
 });
+
+const SIZES = [
+  { width: 1366, height: 768 },
+  { width: 390, height: 844 },
+  { width: 844, height: 390 },
+];
+
+for (const viewport of SIZES) {
+  test(`a first visitor sees at once what flies and where to, and sends it on (${viewport.width} × ${viewport.height})`, async ({
+    browser,
+    flying,
+  }) => {
+    const context = await browser.newContext({ viewport, locale: "es-ES" });
+    const page = await context.newPage();
+    await page.goto(flying.url, { waitUntil: "domcontentloaded" });
+    const sentence = page.locator(".fly-sentence");
+    await expect(sentence).toContainText(/^Vuelo simulado: ruta Gando, con piloto automático, hacia el waypoint \d/);
+    for (const name of ["Velocidad", "Altitud barométrica", "Indicador de actitud", "Indicador de rumbo"]) {
+      await expect(page.getByRole("img", { name, exact: true })).toHaveAttribute("data-state", "live");
+    }
+    const flownTo = async () => Number(/waypoint (\d+)/.exec((await sentence.textContent()) ?? "")?.[1]);
+    const before = await flownTo();
+    await page.getByRole("button", { name: "Next", exact: true }).click();
+    await expect.poll(flownTo).not.toBe(before);
+    const scrolled = await page.evaluate(() =>
+      [...document.querySelectorAll(".app-tabs > .ui-tabs-panel, .fly-display, .fly")]
+        .filter((part) => part.scrollHeight > part.clientHeight + 1 || part.scrollWidth > part.clientWidth + 1)
+        .map(({ className }) => className),
+    );
+    expect(scrolled, "nothing on it scrolls").toEqual([]);
+    await context.close();
+  });
+}

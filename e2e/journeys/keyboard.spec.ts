@@ -57,6 +57,7 @@ async function walk(page: Page, tab: string): Promise<void> {
 
 /** The key of each tab, in the order in which the tabs stand. */
 const TAB_KEYS = {
+  Vuelo: "p",
   "Datos de vuelo": "1",
   "Standard Six": "2",
   "Autopilot Param": "3",

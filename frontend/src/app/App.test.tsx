@@ -140,6 +140,7 @@ describe("the gateway's alarms", () => {
 });
 
 const MAIN_TABS = [
+  "Vuelo",
   "Datos de vuelo",
   "Standard Six",
   "Autopilot Param",

@@ -4,6 +4,7 @@ import { useStore } from "zustand";
 import { AccessBands } from "../features/access/AccessBands";
 import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
 import { AlarmBar } from "../features/alarms/AlarmBar";
+import { PrimaryDisplay } from "../features/fly/PrimaryDisplay";
 import { PresentStrip } from "../features/playback/PresentStrip";
 import { TimeBar } from "../features/playback/TimeBar";
 import { useAdmission } from "../requests/useRole";
@@ -32,7 +33,7 @@ import { ScreenStick, Tuning } from "./Tuning";
 import { Dock } from "./toolbars/Dock";
 import { MovedContext } from "./toolbars/MovableToolbar";
 import { useLeaveWarning } from "./useLeaveWarning";
-import { ENTER_PAGE } from "./views/views";
+import { ENTER_PAGE, useOpenTab } from "./views/views";
 import { WindowTitle } from "./WindowTitle";
 
 /** The whole page: the way in for a stranger, the window for everybody else. */
@@ -119,6 +120,7 @@ function Window() {
   const isPast = shown.past !== null;
   const layout = useLayout();
   const isWide = layout === "wide";
+  const tab = useOpenTab();
   useLayoutOnDocument(layout);
   const hasKeys = useSettings(areKeysOn);
   const hasTimeBar = useSettings(isTimeBarShown);
@@ -156,7 +158,7 @@ function Window() {
                 {isWide && <Dock edge="left" />}
                 {/* Another page, other components: nothing that one of them remembers is of the other page. */}
                 <div className="app-body" key={shown.key}>
-                  {isWide ? <LeftPanel /> : <FlightInstruments />}
+                  {tab === "fly" ? <PrimaryDisplay /> : isWide ? <LeftPanel /> : <FlightInstruments />}
                   <main className="app-main">
                     <MainTabs layout={layout} />
                     <Tuning />

@@ -11,7 +11,7 @@ import type { Layout } from "./layout";
 import { TABS, type TabName, useOpenTab, VIEWS } from "./views/views";
 
 /** In a bar that does not hold all tabs, what is needed in flight comes first. */
-const FIRST_IN_BAR = ["flight", "map", "plans", "alarms"] as const satisfies readonly TabName[];
+const FIRST_IN_BAR = ["fly", "map", "plans", "alarms"] as const satisfies readonly TabName[];
 const BAR: readonly TabName[] = [
   ...FIRST_IN_BAR,
   ...TABS.filter((tab) => !FIRST_IN_BAR.some((one) => one === tab)),

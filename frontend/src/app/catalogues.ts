@@ -18,6 +18,8 @@ import flightEn from "../features/flight/flight.en.json";
 import flightEs from "../features/flight/flight.es.json";
 import flightsEn from "../features/flights/flights.en.json";
 import flightsEs from "../features/flights/flights.es.json";
+import flyEn from "../features/fly/fly.en.json";
+import flyEs from "../features/fly/fly.es.json";
 import gamepadEn from "../features/gamepad/gamepad.en.json";
 import gamepadEs from "../features/gamepad/gamepad.es.json";
 import guideEn from "../features/guide/guide.en.json";
@@ -67,6 +69,7 @@ export const CATALOGUES = {
     ...fieldEs,
     ...flightEs,
     ...flightsEs,
+    ...flyEs,
     ...gamepadEs,
     ...guideEs,
     ...logEs,
@@ -96,6 +99,7 @@ export const CATALOGUES = {
     ...fieldEn,
     ...flightEn,
     ...flightsEn,
+    ...flyEn,
     ...gamepadEn,
     ...guideEn,
     ...logEn,

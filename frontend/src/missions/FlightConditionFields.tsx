@@ -1,12 +1,13 @@
 import { useTranslation } from "react-i18next";
 import type { PlanName } from "../protocol/missions";
 import { useUnit } from "../readouts/useUnit";
+import { windNow } from "../readouts/wind";
 import { usePage, useSettings } from "../store/hooks";
 import { choose } from "../store/settings";
 import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { ENDURANCE_CHOICE } from "./rehearsal";
-import { useEnteredWind, useHasWind, WIND_CHOICES, windNow } from "./useWind";
+import { useEnteredWind, useHasWind, WIND_CHOICES } from "./useWind";
 
 /** Stronger wind than this is a mistake of the person or of the estimate. */
 const STRONGEST_KT = 100;

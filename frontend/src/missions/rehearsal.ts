@@ -4,9 +4,10 @@ import type { Wind } from "../lib/wind";
 import type { Answer } from "../protocol/answers";
 import type { MissionRehearsal, RehearsalFinding } from "../protocol/guards.gen";
 import type { PlanName } from "../protocol/missions";
+import { windNow } from "../readouts/wind";
 import type { Settings } from "../store/settings";
 import type { TelemetryStore } from "../store/telemetry";
-import { enteredWind, windNow } from "./useWind";
+import { enteredWind } from "./useWind";
 
 /** How long the battery lasts from now on, minutes, as it was entered. */
 export const ENDURANCE_CHOICE = "plans.endurance_min";

@@ -11,13 +11,15 @@ import {
   Plane,
   Route,
   SlidersHorizontal,
+  Table2,
   Video,
   Wrench,
 } from "lucide-react";
 import type { TabName } from "../views/views";
 
 const ICONS: Readonly<Record<TabName, LucideIcon>> = {
-  flight: Plane,
+  fly: Plane,
+  flight: Table2,
   six: Gauge,
   params: SlidersHorizontal,
   hil: Monitor,

@@ -42,6 +42,7 @@ function command(key: string, name: CommandName, control: string, asked?: string
 
 /** The digit row from left to right; the tabs that came later have a letter, so that no other tab's key changed. */
 const TAB_KEYS: Readonly<Record<TabName, string>> = {
+  fly: "p",
   flight: "1",
   six: "2",
   params: "3",

@@ -4,6 +4,7 @@ import { type LazyPart, lazyPart } from "../../ui/lazyPart";
 
 /** The main tabs, in their order. */
 export const TABS = [
+  "fly",
   "flight",
   "six",
   "params",
@@ -22,6 +23,7 @@ export type TabName = (typeof TABS)[number];
 
 /** Each tab is loaded by itself, so that the first display does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
+  fly: lazyPart(async () => (await import("../tabs/FlyTab")).FlyTab),
   flight: lazyPart(async () => (await import("../tabs/FlightTab")).FlightTab),
   six: lazyPart(async () => (await import("../../features/six/SixView")).BoardSixView),
   params: lazyPart(async () => (await import("../../features/parameters/ParamsView")).ParamsView),
@@ -54,7 +56,7 @@ export async function loadViews(): Promise<void> {
 
 /** The main tab that is open: the one last chosen. */
 export function useOpenTab(): TabName {
-  return useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "flight");
+  return useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "fly");
 }
 
 /** Open the tab that the address names; addresses are in small letters. An unknown name changes nothing. */

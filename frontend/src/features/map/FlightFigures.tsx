@@ -1,19 +1,14 @@
 import { ChevronDown, ChevronUp } from "lucide-react";
-import { useCallback, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
-import { formatHeading } from "../../lib/format";
-import { windNow } from "../../missions/useWind";
+import { HeightFigure, WindFigure } from "../../readouts/AirFigures";
+import { useFlownAircraft } from "../../readouts/flownAircraft";
 import { LiveReadout, type ReadoutRow } from "../../readouts/LiveReadout";
 import { VOLTAGE } from "../../readouts/notations";
-import { useUnit } from "../../readouts/useUnit";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
-import type { TelemetryStore } from "../../store/telemetry";
-import { usePaint } from "../../store/usePaint";
 import { Button } from "../../ui/Button";
-import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
-import { useFollowed } from "./aircraft/useFlightScene";
+import { ReadoutGrid } from "../../ui/Readout";
 import "./figures.css";
 
 const FOLD = "map.fold.figures";
@@ -40,7 +35,7 @@ const FIGURES: Readonly<Record<Aircraft, readonly Row[]>> = {
 export function FlightFigures() {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const aircraft = useFollowed();
+  const aircraft = useFlownAircraft();
   const isFolded = useSettings(({ choices }) => choices[FOLD] === "yes");
   const name = aircraft === "flight" ? t("map.view.flight") : t("map.view.hil");
   const Icon = isFolded ? ChevronUp : ChevronDown;
@@ -64,44 +59,4 @@ export function FlightFigures() {
       )}
     </section>
   );
-}
-
-/** Height above the ground, where the station knows the ground and the position is live. */
-function HeightFigure({ aircraft }: { aircraft: Aircraft }) {
-  const { t } = useTranslation();
-  const { connection } = usePage();
-  const altitude = useUnit("altitude");
-  const readout = useRef<ReadoutHandle>(null);
-  const paint = useCallback(
-    (telemetry: TelemetryStore, now_ms: number) => {
-      const isLive = telemetry.state(aircraft === "flight" ? "gps" : "simulator", now_ms) === "live";
-      const height_ft = connection.getState().status?.surroundings[aircraft].height_ft ?? null;
-      const shown = isLive ? height_ft : null;
-      readout.current?.paint(
-        shown === null ? null : altitude.format(shown),
-        shown === null ? "none" : "live",
-      );
-    },
-    [connection, altitude, aircraft],
-  );
-  usePaint("text", paint);
-  return <Readout ref={readout} label={t("map.figures.height")} unit={altitude.label} chars={5} />;
-}
-
-/** The wind that the real aircraft's values imply now; without all of them there is none. */
-function WindFigure() {
-  const { t } = useTranslation();
-  const speed = useUnit("speed");
-  const readout = useRef<ReadoutHandle>(null);
-  const paint = useCallback(
-    (telemetry: TelemetryStore, now_ms: number) => {
-      const wind = windNow(telemetry, "flight", now_ms);
-      const text =
-        wind === null ? null : `${formatHeading(wind.from_deg, 0)}° ${speed.format(wind.speed_kt)}`;
-      readout.current?.paint(text, wind === null ? "none" : "live");
-    },
-    [speed],
-  );
-  usePaint("text", paint);
-  return <Readout ref={readout} label={t("map.figures.wind")} unit={speed.label} chars={8} />;
 }

@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState } from "react";
+import { type ComponentProps, type ReactNode, useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
 import type { Waypoint } from "../../lib/plan";
@@ -15,8 +15,9 @@ import { OpenPlanContext } from "./plan/useOpenPlan";
 import { usePlanScene } from "./plan/usePlanScene";
 import { PlanHazards } from "./profile/PlanHazards";
 import { PlanProfile } from "./profile/PlanProfile";
-import { FlatContext } from "./scenes/useFlat";
+import { FlatContext, FOLLOW_CHOICE } from "./scenes/useFlat";
 import { SurroundingsOnMap } from "./surroundings/SurroundingsOnMap";
+import { ThingCard } from "./ThingCard";
 import { useMeasuring } from "./tools/useMeasuring";
 import "./map.css";
 
@@ -28,7 +29,13 @@ export function PlanMap({ plan }: { plan: Aircraft }) {
   return (
     <OpenPlanContext value={plan}>
       <FlatContext value={flat}>
-        <Shown plan={plan} scene={scene} onScene={setScene} />
+        <Shown
+          plan={plan}
+          scene={scene}
+          onScene={setScene}
+          followChoice="plans.map.follow"
+          over={<EditBar />}
+        />
         <FoldingPanel name="planProfile" title={t("map.profile.title")}>
           <PlanProfile aircraft={plan} />
         </FoldingPanel>
@@ -37,13 +44,38 @@ export function PlanMap({ plan }: { plan: Aircraft }) {
   );
 }
 
+/** The map of the flight view: it follows the aircraft, and what is pressed on it is shown over it. */
+export function FlightMap({ plan }: { plan: Aircraft }) {
+  const [scene, setScene] = useState<FlatScene | null>(null);
+  const flat = useMemo(() => ({ isShown: true, scene }), [scene]);
+  return (
+    <OpenPlanContext value={plan}>
+      <FlatContext value={flat}>
+        <Shown
+          plan={plan}
+          scene={scene}
+          onScene={setScene}
+          followChoice={FOLLOW_CHOICE}
+          only={plan}
+          over={<ThingCard />}
+        />
+      </FlatContext>
+    </OpenPlanContext>
+  );
+}
+
 interface ShownProps {
   plan: Aircraft;
+  /** The setting that stores whether it follows the aircraft. */
+  followChoice: NonNullable<ComponentProps<typeof FlatMap>["followChoice"]>;
+  only?: Aircraft | undefined;
+  /** What stands over the picture. */
+  over: ReactNode;
   scene: FlatScene | null;
   onScene: (scene: FlatScene | null) => void;
 }
 
-function Shown({ plan, scene, onScene }: ShownProps) {
+function Shown({ plan, scene, onScene, followChoice, only, over }: ShownProps) {
   const { t } = useTranslation();
   const picture = useRef<HTMLElement>(null);
   const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
@@ -53,10 +85,8 @@ function Shown({ plan, scene, onScene }: ShownProps) {
   useFirstLook(scene, plan, waypoints);
   return (
     <section ref={picture} className="map-scene map-beside" aria-label={t("map.edit.planMap")}>
-      <FlatMap onScene={onScene} followChoice="plans.map.follow" />
-      <div className="map-over">
-        <EditBar />
-      </div>
+      <FlatMap onScene={onScene} followChoice={followChoice} only={only} />
+      <div className="map-over">{over}</div>
       <Measuring />
       <SurroundingsOnMap />
       <PlanHazards plan={plan} />

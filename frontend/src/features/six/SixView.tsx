@@ -8,10 +8,10 @@ import { LiveAttitude } from "../../readouts/LiveAttitude";
 import { flownPlan, LiveHeading } from "../../readouts/LiveHeading";
 import { LiveReadout } from "../../readouts/LiveReadout";
 import { StreamPanel } from "../../readouts/StreamPanel";
+import { ATTITUDE_ROWS, isGpsSpeed, type PointerSource, SIX, type Source } from "../../readouts/sources";
 import { useTelemetry } from "../../store/hooks";
 import { ReadoutGrid } from "../../ui/Readout";
 import { LiveAirspeed, LiveAltimeter, LiveVerticalSpeed } from "./LiveDial";
-import { ATTITUDE_ROWS, isGpsSpeed, type PointerSource, SIX, type Source } from "./sources";
 
 /** "Standard Six": what the board measures, on the six instruments of every cockpit. */
 export function BoardSixView() {

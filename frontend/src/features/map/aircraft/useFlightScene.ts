@@ -1,30 +1,19 @@
 import { useCallback, useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
-import { AIRCRAFT, type Aircraft } from "../../../lib/aircraft";
+import { AIRCRAFT } from "../../../lib/aircraft";
 import { CAMERA_CHOICE, type CameraMode, cameraOf } from "../../../lib/mapCamera";
+import { useFlownAircraft } from "../../../readouts/flownAircraft";
 import type { FlightScene } from "../../../scene/aircraft/FlightScene";
-import { usePage, usePart, useSettings, useTelemetry } from "../../../store/hooks";
+import { usePage, usePart, useSettings } from "../../../store/hooks";
 import type { TelemetryStore } from "../../../store/telemetry";
 import { usePaint } from "../../../store/usePaint";
 import { useGlobe, useGlobeLayer } from "../scenes/useGlobe";
 import { TRACK_LOG } from "../track/trackLog";
-import { AircraftMotion, showing } from "./aircraftFeed";
-
-export const FOLLOWED_CHOICE = "map.followed";
+import { AircraftMotion } from "./aircraftFeed";
 
 /** The chosen camera mode. */
 export function useCameraMode(): CameraMode {
   return useSettings(({ choices }) => cameraOf(choices[CAMERA_CHOICE]));
-}
-
-/** The aircraft that the camera follows: the chosen one; by default the simulator's while it is heard. */
-export function useFollowed(): Aircraft {
-  const chosen = useSettings(({ choices }) => choices[FOLLOWED_CHOICE]);
-  const hil = useTelemetry((telemetry, now_ms) => showing(telemetry, "hil", now_ms));
-  if (chosen === "flight" || chosen === "hil") {
-    return chosen;
-  }
-  return hil === "live" || hil === "stale" ? "hil" : "flight";
 }
 
 /** Shows both aircraft on the globe, moves the camera as chosen, and draws the tracks up to the aircraft. */
@@ -42,7 +31,7 @@ export function useFlightScene(): FlightScene | null {
     async () => (await import("../../../scene/track/TrackLayer")).TrackLayer,
   );
   const mode = useCameraMode();
-  const followed = useFollowed();
+  const followed = useFlownAircraft();
   const motion = useMemo(() => new AircraftMotion(), []);
   const take = useCallback((from: TelemetryStore, now_ms: number) => motion.take(from, now_ms), [motion]);
   usePaint("movement", take);

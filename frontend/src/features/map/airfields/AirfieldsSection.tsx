@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { formatHeading } from "../../../lib/format";
 import { bearing_deg, distance_m, type Position } from "../../../lib/geodesy";
 import { SELECTION, selectThing, useMapThing } from "../../../missions/selection";
+import { useFlownAircraft } from "../../../readouts/flownAircraft";
 import { useUnit } from "../../../readouts/useUnit";
 import type { NearAirfield } from "../../../scene/world/things";
 import { keptWorld } from "../../../scene/world/World";
@@ -11,7 +12,6 @@ import { usePart, useTelemetry } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { Panel } from "../../../ui/Panel";
 import { aircraftPlace } from "../aircraft/aircraftPlace";
-import { useFollowed } from "../aircraft/useFlightScene";
 import { useHome } from "../aircraft/useHome";
 import "./airfields.css";
 
@@ -76,7 +76,7 @@ export function AirfieldsSection() {
 
 /** Rounded, so that the list is not asked for with each sample. */
 function usePlace(): { readonly place: Position; readonly name: "flight" | "hil" | "home" } {
-  const followed = useFollowed();
+  const followed = useFlownAircraft();
   const home = useHome();
   const rounded = (degrees: number): number => Number(degrees.toFixed(PLACES));
   const at = useTelemetry((telemetry) => {

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import type { Position } from "../../../lib/geodesy";
 import { roundLength } from "../../../lib/units";
+import { useFlownAircraft } from "../../../readouts/flownAircraft";
 import { coordinate } from "../../../readouts/formats";
 import { useUnit } from "../../../readouts/useUnit";
 import type { FlatScene } from "../../../scene/flat/FlatScene";
@@ -14,7 +15,6 @@ import { usePaint } from "../../../store/usePaint";
 import { Button } from "../../../ui/Button";
 import { aircraftPlace } from "../aircraft/aircraftPlace";
 import { flatAircraft } from "../aircraft/flatAircraft";
-import { useFollowed } from "../aircraft/useFlightScene";
 import { useHome } from "../aircraft/useHome";
 import { useMapPlan } from "../plan/useMapPlan";
 import { FOLLOW_CHOICE } from "../scenes/useFlat";
@@ -33,13 +33,15 @@ interface Props {
   onScene: (scene: FlatScene | null) => void;
   /** The setting that stores whether it follows the aircraft; the map's own tab follows unless told otherwise. */
   followChoice?: typeof FOLLOW_CHOICE | "plans.map.follow";
+  /** The only aircraft on it; undefined: both. */
+  only?: Aircraft | undefined;
 }
 
 /**
  * The map without WebGL: the same flight from straight above. `onScene` is called with the scene, and with null when
  * it is gone.
  */
-export function FlatMap({ onScene, followChoice = FOLLOW_CHOICE }: Props) {
+export function FlatMap({ onScene, followChoice = FOLLOW_CHOICE, only }: Props) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -73,7 +75,7 @@ export function FlatMap({ onScene, followChoice = FOLLOW_CHOICE }: Props) {
     onScene(scene);
     return () => onScene(null);
   }, [scene, onScene]);
-  useAircraft(scene, isFollowing);
+  useAircraft(scene, isFollowing, only);
   return (
     <>
       <div
@@ -140,21 +142,22 @@ function FlatButtons({ scene, isFollowing, onFollow }: ButtonsProps) {
 }
 
 /** Both aircraft, ten times a second. */
-function useAircraft(scene: FlatScene | null, isFollowing: boolean): void {
+function useAircraft(scene: FlatScene | null, isFollowing: boolean, only: Aircraft | undefined): void {
   const { t } = useTranslation();
-  const followed = useFollowed();
+  const followed = useFlownAircraft();
   const flight = t("map.view.flight");
   const hil = t("map.view.hil");
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
       const names: Readonly<Record<Aircraft, string>> = { flight, hil };
-      const seen = DRAWN.map((plan) => flatAircraft(telemetry, plan, names[plan], now_ms)).filter(
-        (aircraft) => aircraft !== null,
-      );
+      const shown = DRAWN.filter((plan) => only === undefined || plan === only);
+      const seen = shown
+        .map((plan) => flatAircraft(telemetry, plan, names[plan], now_ms))
+        .filter((aircraft) => aircraft !== null);
       const middle = isFollowing ? seen.find(({ plan }) => plan === followed)?.place : undefined;
       scene?.setAircraft(seen, middle ?? null);
     },
-    [scene, isFollowing, followed, flight, hil],
+    [scene, isFollowing, only, followed, flight, hil],
   );
   usePaint("text", paint);
 }

@@ -1,13 +1,13 @@
 import { useTranslation } from "react-i18next";
+import { useFlownAircraft } from "../../../readouts/flownAircraft";
 import { useUnit } from "../../../readouts/useUnit";
 import { useConnection } from "../../../store/hooks";
-import { useFollowed } from "../aircraft/useFlightScene";
 
 /** What the station sees around the aircraft that is followed, or why it sees nothing. */
 export function AroundNow() {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
-  const aircraft = useFollowed();
+  const aircraft = useFlownAircraft();
   const around = useConnection(({ phase, status }) =>
     phase === "open" && status !== null ? status.surroundings[aircraft] : null,
   );
