@@ -1,4 +1,3 @@
-import { ChevronLeft, ChevronRight } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { AutopilotSwitch } from "../../features/controls/AutomaticSwitches";
 import { FlightSentence } from "../../features/fly/FlightSentence";
@@ -27,12 +26,8 @@ function Actions({ plan }: { readonly plan: (typeof PLAN)["hil"] }) {
   return (
     <div className="fly-actions" role="toolbar" aria-label={t("fly.actions")}>
       <AutopilotSwitch />
-      <CommandButton command={plan.previous} icon={<ChevronLeft aria-hidden="true" />}>
-        {t("fms.previous")}
-      </CommandButton>
-      <CommandButton command={plan.next} icon={<ChevronRight aria-hidden="true" />}>
-        {t("fms.next")}
-      </CommandButton>
+      <CommandButton command={plan.previous}>{t("fms.previous")}</CommandButton>
+      <CommandButton command={plan.next}>{t("fms.next")}</CommandButton>
     </div>
   );
 }
