@@ -37,7 +37,8 @@ export function layoutFaults(target_px: number): string[] {
   /** Whether an ancestor cuts the text off where no scrolling reaches it. */
   function checkText(text: Text, top: Element): void {
     const holder = text.parentElement;
-    if (holder === null || holder.closest("svg, option, [role=application], [role=img]") !== null || !isShown(holder)) return;
+    if (holder === null || holder.closest("svg, option, [role=application], [role=img]") !== null || !isShown(holder))
+      return;
     const range = document.createRange();
     range.selectNodeContents(text);
     const box = range.getBoundingClientRect();
