@@ -110,6 +110,18 @@ describe("the primary display", () => {
   });
 });
 
+test("a flight of the past says that it is one, and has its own values", () => {
+  station.send(BOARD);
+  station.openFlight("20260131T120000Z", 10);
+  station.replayed((replay) => {
+    replay.greet();
+    replay.send({ ...BOARD, analog: { ...BOARD.analog, calibrated_airspeed_kt: 42 } });
+  });
+  station.show();
+  expect(sentence()).toBe("Vuelo grabado, con piloto automático, hacia el waypoint 3, a 890 m");
+  expect(speed().dataset["airspeedKt"]).toBe("42.0");
+});
+
 test("the six figures are chosen by the person, kept, and go back to the usual ones", async () => {
   station.send(BOARD);
   expect(figures()).toEqual(["Suelo", "Ascenso", "Sobre el terreno", "Al waypoint", "Batería", "Viento"]);
