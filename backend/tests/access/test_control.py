@@ -27,7 +27,7 @@ def opened(gateway: Gateway) -> Iterator[Open]:
     people = {"ana": Role.operator, "bea": Role.operator, "olga": Role.owner, "eve": Role.viewer}
     for name, role in people.items():
         caller = Caller("person", name, f"{name.title()} · tablet", role, f"session-{name}")
-        gateway.web.admission.programs.add_proven(f"key-of-{name}", caller)
+        gateway.web.admission.programs.add_caller(f"key-of-{name}", caller)
     with ExitStack() as stack:
 
         def open_page(name: str | None = None, query: str = "", line: int | None = None) -> Page:

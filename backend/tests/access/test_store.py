@@ -14,6 +14,7 @@ import pytest
 from epf_gcs.access import invitations as invitations_module
 from epf_gcs.access import moment as moment_module
 from epf_gcs.access import store as store_module
+from epf_gcs.access.guessing import GuessLimiter
 from epf_gcs.access.invitations import new_invitation
 from epf_gcs.access.moment import Moment
 from epf_gcs.access.roles import Role
@@ -110,6 +111,7 @@ def test_on_a_full_disk_nobody_half_comes_in_and_each_is_told_why(tmp_path: Path
             assert known == {one.id for one in store.all(kind)}
         # What is taken away is taken away at once, whatever the disk says.
         owner.delete(f"/access/programs/{program_id}")
+        gateway.web.admission.guessing = GuessLimiter()
         with logger:
             assert logger.get("/status").status_code == 401
 
@@ -124,6 +126,18 @@ def test_a_file_of_the_version_before_is_read_on(tmp_path: Path) -> None:
     with contextlib.closing(AccessStore(tmp_path)) as store:
         assert ANA in store.all(Person)
         assert store.all(Invitation) == [Invitation("00000000000000c1", "AAAA", 1, "x", 1.0, 2.0, "", 0.0)]
+
+
+def test_keys_of_an_earlier_version_that_were_kept_slowly_end_and_the_others_stay(tmp_path: Path) -> None:
+    file = filled(tmp_path)
+    with contextlib.closing(AccessStore(tmp_path)) as store:
+        before = store.all(Program)
+    with contextlib.closing(sqlite3.connect(file)) as db, db:
+        db.execute("INSERT INTO programs VALUES ('0badcafe', 'old', 1, '$argon2id$v=19$x', 1.0, 2.0)")
+        db.execute("PRAGMA user_version = 2")
+    with contextlib.closing(AccessStore(tmp_path)) as store:
+        assert store.all(Program) == before
+        assert ANA in store.all(Person)
 
 
 def test_a_key_lasts_its_hour_however_the_clock_is_set(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ class Browser(httpx.Client):
 
 def stranger(gateway: Gateway, **headers: str) -> Browser:
     """A client without cookies. All tests ask from one address, so failures of others before it are forgotten."""
-    gateway.web.admission.proving.guessing = GuessLimiter()
+    gateway.web.admission.guessing = GuessLimiter()
     return Browser(base_url=f"{gateway.base}/api/v1", timeout=DEADLINE_S, headers=headers)
 
 

@@ -28,7 +28,7 @@ modules, names, programs = sys.argv[1:4]
 # Loaded before anything is hidden: other people's packages look for their own system.
 import asyncio, ctypes, multiprocessing, tempfile
 for name in (
-    "argon2 cryptography defusedxml.ElementTree duckdb fastapi fastapi_offline httptools httpx ifaddr mcap numpy "
+    "cryptography defusedxml.ElementTree duckdb fastapi fastapi_offline httptools httpx ifaddr mcap numpy "
     "orjson platformdirs pmtiles.reader pyarrow.parquet pydantic pydantic_settings rasterio rich segno "
     "serial.tools.list_ports structlog typer uvicorn websockets zstandard"
 ).split():

@@ -1,6 +1,6 @@
 """Who comes in: puts sessions, programs, invitations, the store and the log together.
 
-`resolve` answers for a request or a handshake from memory alone; what needs the disk or a hash is awaited.
+`resolve` and `admit` answer for a request or a handshake from memory alone; what needs the disk is awaited.
 """
 
 from __future__ import annotations
@@ -13,20 +13,22 @@ import time
 from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from functools import partial
+from math import ceil
 from pathlib import Path
 from typing import Final
 
 from epf_gcs.access.caller import LOCAL, LOCAL_SESSION, Caller, Credentials, is_loopback
+from epf_gcs.access.guessing import GuessLimiter
 from epf_gcs.access.invitations import Invitations
 from epf_gcs.access.log import DeedLog
 from epf_gcs.access.moment import Moment
 from epf_gcs.access.programs import Programs
-from epf_gcs.access.proving import KeyVerifier
 from epf_gcs.access.roles import Role
 from epf_gcs.access.sessions import LASTS_S, Sessions
 from epf_gcs.access.store import AccessStore, Person, Program, Session
+from epf_gcs.access.store_thread import StoreThread
 from epf_gcs.clock import Clock
-from epf_gcs.errors import GatewayError, NotAdmittedError, NotKeptError
+from epf_gcs.errors import GatewayError, NotAdmittedError, NotKeptError, TooManyError
 from epf_gcs.repeating import repeat
 
 ANYONE: Final = "anyone"
@@ -85,15 +87,16 @@ class Admission:
     async def running(self) -> AsyncIterator[None]:
         """Read who may come in, and write when they were last heard, inside."""
         self.store = self._open_store()
-        self.proving = KeyVerifier(time.monotonic)
+        self.thread = StoreThread()
+        self.guessing = GuessLimiter()
         self.sessions = Sessions(self.store.all(Person), self.store.all(Session))
         self.sessions.on_ended = self._tell_ended
         self.sessions.on_changed = self._tell_changed
-        self.programs = Programs(self.store.all(Program), self.proving)
-        self.invitations = Invitations(self.store, self.proving)
+        self.programs = Programs(self.store.all(Program))
+        self.invitations = Invitations(self.store, self.thread)
         self.log = DeedLog(self._data_dir, self.clock.now_s, self._report)
         if self.policy.launcher_key is not None:
-            self.programs.add_proven(self.policy.launcher_key, _LAUNCHER)
+            self.programs.add_caller(self.policy.launcher_key, _LAUNCHER)
         self._opened = True
         writing = asyncio.create_task(repeat(_WRITTEN_EVERY_S, "who was here last", self._write_last_heard))
         try:
@@ -102,7 +105,7 @@ class Admission:
             self._opened = False
             writing.cancel()
             self._write_all([], self.sessions.take_unwritten(), self.programs.take_unwritten())
-            self.proving.close()
+            self.thread.close()
             self.log.close()
             self.store.close()
 
@@ -115,7 +118,7 @@ class Admission:
             return AccessStore.copied(self._data_dir)
 
     def resolve(self, shown: Credentials) -> Caller | None:
-        """Who this is; None for a stranger, and for a program whose key `prove` has not seen yet."""
+        """Who this is; None for a stranger."""
         if not self._opened:
             return None
         now_s = self.clock.now_s()
@@ -130,18 +133,23 @@ class Admission:
             return Caller("person", ANYONE, "", Role.operator, f"{ANYONE}@{shown.peer.host}")
         return caller
 
-    def needs_proof(self, shown: Credentials) -> bool:
-        """Whether a key is shown that `prove` has to look at first."""
-        return shown.authorization is not None and self._opened and self.resolve(shown) is None
+    def admit(self, shown: Credentials) -> Caller | None:
+        """As `resolve`. A key that nobody has is counted: raises TooManyError where this address, or all together,
+        showed too many."""
+        caller = self.resolve(shown)
+        if caller is None and shown.authorization is not None and self._opened:
+            self._count_failure(shown.peer.host)
+            self.log.note(None, shown.peer.host, "refused", "key of a program", "wrong")
+        return caller
 
-    async def prove(self, shown: Credentials) -> Caller | None:
-        """As `resolve`, after holding an unknown key against its hash. Raises TooManyError."""
-        key = bearer_key(shown.authorization or "")
-        address = shown.peer.host
-        if key is None or not await self.programs.prove(key, address):
-            self.log.note(None, address, "refused", "key of a program", "wrong")
-            return None
-        return self.resolve(shown)
+    def _count_failure(self, address: str) -> None:
+        wait_s = ceil(self.guessing.failed(address, time.monotonic()))
+        if wait_s > 0:
+            raise TooManyError(
+                "access_too_many_tries",
+                f"Too many wrong keys were tried: try again in {wait_s} s.",
+                retry_after_s=wait_s,
+            )
 
     def current(self, session_id: str) -> Caller | None:
         """Whose session this is now, with the role of now; None once it has ended."""
@@ -178,8 +186,9 @@ class Admission:
         Raises NotAdmittedError if the key is wrong, TooManyError, ConflictError.
         """
         address = shown.peer.host
-        role = await self.invitations.use(key, address, self.moment())
+        role = await self.invitations.use(key, self.moment())
         if role is None:
+            self._count_failure(address)
             self.log.note(None, address, "entered", "", "wrong key")
             raise NotAdmittedError(
                 "access_key_wrong",
@@ -198,7 +207,7 @@ class Admission:
         """Somebody without a key waits to be let in. Raises TooManyError, ConflictError."""
         address = shown.peer.host
         # Nothing is compared: asking is only as slow as guessing.
-        await self.proving.attempt(address, lambda: None)
+        self._count_failure(address)
         before = self.find(shown)
         if before is not None:
             await self.forget(before[1].id)
@@ -227,7 +236,7 @@ class Admission:
 
     async def make_program(self, name: str, role: Role) -> tuple[str, Program]:
         """A new program and its key, which is kept nowhere. Raises ConflictError, NotKeptError."""
-        key, program = await self.programs.make(name, role, self.clock.now_s())
+        key, program = self.programs.make(name, role, self.clock.now_s())
         try:
             await self.write(partial(self.store.put, program))
         except NotKeptError:
@@ -241,7 +250,7 @@ class Admission:
 
     async def write(self, work: Callable[[], object]) -> None:
         """Change the store. Raises NotKeptError where the disk does not take it."""
-        await self.proving.run(work)
+        await self.thread.run(work)
 
     async def _write_new(self, person: Person, session: Session) -> None:
         """Somebody whom the disk does not take has not come in."""
@@ -260,7 +269,7 @@ class Admission:
     async def _write_last_heard(self) -> None:
         gone = self.sessions.forget_waiting(self.clock.now_s())
         heard = self.sessions.take_unwritten(), self.programs.take_unwritten()
-        await self.proving.run(partial(self._write_all, gone, *heard))
+        await self.thread.run(partial(self._write_all, gone, *heard))
 
     def _write_all(self, gone: list[str], sessions: dict[str, float], programs: dict[str, float]) -> None:
         """Where the disk does not take it, nothing but the list of who was here when suffers."""

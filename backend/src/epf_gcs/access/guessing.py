@@ -1,6 +1,6 @@
-"""Slows down whoever guesses keys: a delay that grows with the failures of an address, and a limit for all together.
+"""Slows down whoever shows wrong keys: a delay that grows with the failures of an address, a limit for all together.
 
-Pure: told the time. An address that has not failed pays nothing for the failures of others, up to the common limit.
+Pure: told the time. A right key is not asked about here: it enters at once, whatever others try.
 """
 
 from __future__ import annotations
@@ -36,11 +36,8 @@ class GuessLimiter:
         self._tries = TRIES_AT_ONCE
         self._tries_s = 0.0
 
-    def begin(self, address: str, now_s: float) -> float:
-        """Begin a try: 0, or the seconds until this address may begin one.
-
-        A try counts as failed until `succeeded`: many at the same moment are no way round the delay.
-        """
+    def failed(self, address: str, now_s: float) -> float:
+        """Count a failure of this address: 0, or the seconds until it is answered again."""
         key = group_of(address)
         failures = self._of.get(key)
         if failures is not None and failures.until_s > now_s:
@@ -57,10 +54,6 @@ class GuessLimiter:
         if len(self._of) > MOST_ADDRESSES:
             self._of.popitem(last=False)
         return 0.0
-
-    def succeeded(self, address: str) -> None:
-        """A right key came from this address."""
-        self._of.pop(group_of(address), None)
 
 
 def group_of(address: str) -> str:

@@ -6,11 +6,11 @@ import secrets
 from functools import partial
 from typing import Final
 
-from epf_gcs.access.keys import NO_HASH, Parts, fits, hash_of, new_one_time_key, one_time_key
+from epf_gcs.access.keys import Parts, digest_of, fits, new_one_time_key, one_time_key
 from epf_gcs.access.moment import Moment
-from epf_gcs.access.proving import KeyVerifier
 from epf_gcs.access.roles import Role
 from epf_gcs.access.store import AccessStore, Invitation
+from epf_gcs.access.store_thread import StoreThread
 from epf_gcs.errors import ConflictError, NotFoundError
 
 MOST_INVITATIONS: Final = 500
@@ -19,39 +19,36 @@ MOST_INVITATIONS: Final = 500
 class Invitations:
     """Kept in the store alone, because another program may have put one there a moment ago."""
 
-    def __init__(self, store: AccessStore, proving: KeyVerifier) -> None:
+    def __init__(self, store: AccessStore, thread: StoreThread) -> None:
         self._store = store
-        self._proving = proving
+        self._thread = thread
 
     async def make(self, role: Role, minutes: float, now: Moment) -> tuple[str, Invitation]:
         """A new key, which is kept nowhere, and its invitation. Raises ConflictError if there are too many."""
-        return await self._proving.run(partial(new_invitation, self._store, role, minutes, now))
+        return await self._thread.run(partial(new_invitation, self._store, role, minutes, now))
 
-    async def use(self, key: str, address: str, now: Moment) -> Role | None:
-        """The role that this key gives, once; None if it is wrong, used or ended. Raises TooManyError."""
-        return await self._proving.attempt(address, partial(self._use, one_time_key(key), now))
+    async def use(self, key: str, now: Moment) -> Role | None:
+        """The role that this key gives, once; None if it is wrong, used or ended."""
+        parts = one_time_key(key)
+        return None if parts is None else await self._thread.run(partial(self._use, parts, now))
 
     async def all(self, now: Moment) -> list[Invitation]:
         """Those that can still be used."""
-        return await self._proving.run(partial(self._all, now))
+        return await self._thread.run(partial(self._all, now))
 
     async def end(self, invitation_id: str) -> None:
         """Its key is worth nothing from now on. Raises NotFoundError."""
-        if not await self._proving.run(partial(self._store.remove, Invitation, invitation_id)):
+        if not await self._thread.run(partial(self._store.remove, Invitation, invitation_id)):
             raise NotFoundError(
                 "access_unknown", "There is no such invitation any more: load the list again.", what="invitation"
             )
 
-    def _use(self, parts: Parts | None, now: Moment) -> Role | None:
-        found = None if parts is None else self._store.invitation(parts.lookup)
-        if found is not None and found.left_s(now) <= 0:
-            found = None
-        kept = NO_HASH if found is None else found.hash
-        right = fits(kept, "" if parts is None else parts.secret)
-        # Removing it is what uses it up: of two at the same moment one comes in.
-        if not right or found is None or not self._store.remove(Invitation, found.id):
+    def _use(self, parts: Parts, now: Moment) -> Role | None:
+        found = self._store.invitation(parts.lookup)
+        if found is None or found.left_s(now) <= 0 or not fits(found.hash, parts.secret):
             return None
-        return Role(found.role)
+        # Removing it is what uses it up: of two at the same moment one comes in.
+        return Role(found.role) if self._store.remove(Invitation, found.id) else None
 
     def _all(self, now: Moment) -> list[Invitation]:
         return _open_ones(self._store, now)
@@ -67,7 +64,7 @@ def _open_ones(store: AccessStore, now: Moment) -> list[Invitation]:
 
 
 def new_invitation(store: AccessStore, role: Role, minutes: float, now: Moment) -> tuple[str, Invitation]:
-    """Make one and write it. Takes long: not on the event loop. Raises ConflictError if there are too many."""
+    """Make one and write it: not on the event loop. Raises ConflictError if there are too many."""
     taken = {invitation.lookup for invitation in _open_ones(store, now)}
     if len(taken) >= MOST_INVITATIONS:
         raise ConflictError(
@@ -84,7 +81,7 @@ def new_invitation(store: AccessStore, role: Role, minutes: float, now: Moment) 
         secrets.token_hex(8),
         parts.lookup,
         int(role),
-        hash_of(parts.secret),
+        digest_of(parts.secret),
         now.unix_s,
         until.unix_s,
         until.boot,

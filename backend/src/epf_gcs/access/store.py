@@ -1,7 +1,7 @@
 """Who may come in, on the disk: people, their sessions, programs and invitations, in one small SQLite file.
 
-Keys are kept as hashes that nothing can be made of: argon2id for keys that people and programs carry, SHA-256 for the
-256 random bits of a cookie. Every change is on the disk before it is answered. Used by one thread at a time.
+Of keys and cookies, all of random bits that nobody guesses, the SHA-256 is kept. Every change is on the disk before it
+is answered. Used by one thread at a time.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from epf_gcs.disk import set_aside
 from epf_gcs.errors import NotKeptError
 
 FILE: Final = "access.sqlite"
-_VERSION: Final = 2
+_VERSION: Final = 3
 _PATIENCE_S: Final = 5.0
 _TABLES: Final = """
 CREATE TABLE people (id TEXT PRIMARY KEY, name TEXT, place TEXT, role INTEGER, state TEXT, made_s REAL, seen_s REAL,
@@ -41,6 +41,12 @@ _FROM_1: Final = """
 ALTER TABLE invitations ADD COLUMN boot TEXT DEFAULT '';
 ALTER TABLE invitations ADD COLUMN until_steady_s REAL DEFAULT 0;
 """
+# Made before 3: of keys that were kept as slow hashes nothing else can be made. They end.
+_FROM_2: Final = """
+DELETE FROM programs WHERE hash LIKE '$argon2%';
+DELETE FROM invitations WHERE hash LIKE '$argon2%';
+"""
+_UPGRADES: Final = {0: _TABLES, 1: _FROM_1 + _FROM_2, 2: _FROM_2, _VERSION: ""}
 
 PersonState = Literal["waiting", "in", "ended"]
 
@@ -75,7 +81,7 @@ class Session:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A program with a key, of which `hash` is kept. `seen_s` 0: never used."""
+    """A program with a key, of which `hash` is the digest. `seen_s` 0: never used."""
 
     id: str
     name: str
@@ -246,9 +252,10 @@ def _tables(db: sqlite3.Connection) -> sqlite3.Connection:
         with db:
             db.execute("BEGIN IMMEDIATE")
             version = _version(db)
-            script = "" if version == _VERSION else _FROM_1 if version else _TABLES
-            for statement in filter(str.strip, script.split(";")):
-                db.execute(statement)
+            for statement in filter(str.strip, _UPGRADES[min(version, _VERSION)].split(";")):
+                ended = db.execute(statement).rowcount
+                if version and ended > 0:
+                    log.warning("keys of an earlier version have ended: make new ones", count=ended)
             db.execute(f"PRAGMA user_version = {_VERSION}")
         _check(db)
     except BaseException:

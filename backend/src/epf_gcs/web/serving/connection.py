@@ -49,7 +49,6 @@ class Connection(HttpToolsProtocol):
         self._is_refused = False
         self._was_asked = False
         self._is_between = False
-        self._proof: asyncio.Task[None] | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Accept the connection, or answer that there are too many."""
@@ -123,26 +122,16 @@ class Connection(HttpToolsProtocol):
         self.idle_since_s = None
         self._stage = "answer"
         shown = Credentials.of(self.scope["headers"], self._peer)
-        if self._admission.needs_proof(shown):
-            self.transport.pause_reading()
-            self._proof = self.loop.create_task(self._prove_and_upgrade(shown))
-        else:
-            self._upgrade(self._admission.resolve(shown))
+        try:
+            caller = self._admission.admit(shown)
+        except GatewayError as error:
+            self._refuse(error)
+            return
+        self._upgrade(caller)
 
     @property
     def _admission(self) -> Admission:
         return cast(Admission, self.app_state["admission"])
-
-    async def _prove_and_upgrade(self, shown: Credentials) -> None:
-        """The same for a key that has to be held against its hash first."""
-        try:
-            caller = await self._admission.prove(shown)
-        except GatewayError as error:
-            self._refuse(error)
-            return
-        if self._is_up():
-            self._upgrade(caller)
-            self.transport.resume_reading()
 
     def _upgrade(self, caller: Caller | None) -> None:
         """The WebSocket keeps this connection's place."""

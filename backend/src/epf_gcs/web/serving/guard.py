@@ -180,7 +180,7 @@ class Guard:
         reading = scope["method"] in _READING
         try:
             self._access.check(headers.getlist, reads=reading)
-            caller, entry = await self._admit(scope)
+            caller, entry = self._admit(scope)
         except InvalidInputError as error:
             await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)
             return
@@ -213,13 +213,11 @@ class Guard:
             deed.body = body
         await self._app(scope, _replay(body, receive), send)
 
-    async def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
+    def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
         """Who asks, and the row of the table. Raises NotAdmittedError, RoleError, TooManyError."""
         state = scope.setdefault("state", {})
         shown = Credentials.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
-        caller = self._admission.resolve(shown)
-        if caller is None and shown.authorization is not None:
-            caller = await self._admission.prove(shown)
+        caller = self._admission.admit(shown)
         entry = self._gate.entry(scope["method"], scope["path"])
         least = Role.viewer if entry is None else entry.least
         if least != OPEN:
