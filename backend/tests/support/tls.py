@@ -26,6 +26,8 @@ from epf_gcs.web.serving.handshakes import Handshakes
 from epf_gcs.web.serving.visitors import Limits, Visitor, Visitors
 from tests.support.waiting import DEADLINE_S, eventually_async
 
+_WINDOW_BYTES = 65536
+
 _Streams = tuple[asyncio.StreamReader, asyncio.StreamWriter]
 
 LOOPS: dict[str, Callable[[], asyncio.AbstractEventLoop]] = {
@@ -244,7 +246,12 @@ def _decrypted(host: str, port: int, trust: ssl.SSLContext) -> Iterator[socket.s
     thread.start()
 
     async def begin() -> asyncio.Task[None]:
-        server = await asyncio.open_connection(host, port, ssl=trust)
+        # A small and fixed window: what a slow reader leaves waits with the server, and not in the system's memory.
+        raw = socket.socket()
+        raw.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, _WINDOW_BYTES)
+        raw.setblocking(False)
+        await asyncio.get_running_loop().sock_connect(raw, (host, port))
+        server = await asyncio.open_connection(sock=raw, ssl=trust, server_hostname=host)
         client = await asyncio.open_connection(sock=theirs)
         return asyncio.create_task(pass_on(client, server))
 
