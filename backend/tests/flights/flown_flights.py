@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -58,8 +59,13 @@ def datagram(at_s: float) -> bytes:
     return build(records)
 
 
-def recording(seconds: float, stalls: tuple[tuple[float, float], ...] = (), seed: int = 1) -> bytes:
-    """A whole recording: AHRS and simulator at 50 Hz, GPS at 10 Hz, the simulator's, commands, plans and identity.
+def recording(
+    seconds: float,
+    stalls: tuple[tuple[float, float], ...] = (),
+    seed: int = 1,
+    board: Callable[[float], bytes] = lambda _: b"",
+) -> bytes:
+    """A whole recording: AHRS and simulator at 50 Hz, GPS and `board` at 10 Hz, commands, plans and identity.
 
     What is sent in a stall (from and to, in seconds) is read at its end, all at once.
     """
@@ -79,10 +85,10 @@ def recording(seconds: float, stalls: tuple[tuple[float, float], ...] = (), seed
 
     for tick in range(round(seconds * 50)):
         at_s = tick / 50
-        board = encode_telemetry("ahrs", at_s * 5.0 % 360.0 - 180.0, 3.0, rng.uniform(-20.0, 20.0))
+        line = encode_telemetry("ahrs", at_s * 5.0 % 360.0 - 180.0, 3.0, rng.uniform(-20.0, 20.0))
         if tick % 5 == 0:
-            board += gps(at_s)
-        came = [(BOARD_RECEIVED, board), (SIMULATOR_RECEIVED, datagram(at_s))]
+            line += gps(at_s) + board(at_s)
+        came = [(BOARD_RECEIVED, line), (SIMULATOR_RECEIVED, datagram(at_s))]
         if tick % 50 == 0:
             came.append((BOARD_SENT, encode_command("ahrs_on")))
         late += came

@@ -11,6 +11,7 @@ import numpy as np
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights import answers
 from epf_gcs.flights.events import as_answer, find_events, read_events, write_events
+from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import PeriodCache, Samples, TopicSpan
 from epf_gcs.flights.summary import summarise
 from epf_gcs.recordings import notes
@@ -21,9 +22,14 @@ START_NS = 1_767_261_600_000_000_000
 
 
 class MadeFlight:
-    """A flight of these samples, {topic: (times in s, {field: values})}, and notes."""
+    """A flight of these samples, {topic: (times in s, {field: values})}, and notes.
+
+    All names are of the definition, as those of a real flight are.
+    """
 
     def __init__(self, samples: dict[str, tuple[Any, dict[str, Any]]], noted: list[Note] | None = None) -> None:
+        for topic, (_, fields) in samples.items():
+            assert set(fields) <= set(fields_of(topic)), topic
         self._samples = samples
         self._notes = noted or []
         self.start_ns = START_NS

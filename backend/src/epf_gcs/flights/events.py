@@ -13,8 +13,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from epf_gcs.contract.flights import EventKind, FlightEvent, FlightEvents
-from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.flight_data import Damage, FlightData
+from epf_gcs.flights.flight_data import Damage, FlightData, read_field
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Content, Note
 
@@ -181,8 +180,6 @@ def _ends_another(event: Event, open_events: dict[tuple[str, Any], Event]) -> bo
 
 def _modes(flight: FlightData) -> list[Event]:
     """Changes of the modes that the heartbeat reports."""
-    if "heartbeat" not in {span.name for span in flight.topics()}:
-        return []
     found = []
     for name in _MODES:
         for t_ns, _, value in _changes(flight, "heartbeat", name):
@@ -192,12 +189,10 @@ def _modes(flight: FlightData) -> list[Event]:
 
 def _waypoints(flight: FlightData) -> list[Event]:
     """Waypoints that a plan left for another, whichever way."""
-    there = {span.name for span in flight.topics()}
     found = []
     for topic, plan in _PLANS.items():
-        if topic in there:
-            for t_ns, before, after in _changes(flight, topic, "waypoint"):
-                found.append(Event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
+        for t_ns, before, after in _changes(flight, topic, "waypoint"):
+            found.append(Event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
     return found
 
 
@@ -219,10 +214,7 @@ def _bursts(damaged: list[Damage]) -> list[Event]:
 
 def _changes(flight: FlightData, topic: str, field: str) -> list[tuple[int, float, float]]:
     """Time (Unix ns), value before and value after of each change, without samples that have no value."""
-    try:
-        t_s, values = flight.samples(topic, field)
-    except NotFoundError:
-        return []
+    t_s, values = read_field(flight, topic, field)
     known = np.isfinite(values)
     t_s, values = t_s[known], values[known]
     places = np.flatnonzero(np.diff(values) != 0)[:MOST_EVENTS]

@@ -98,6 +98,18 @@ def in_order(t_s: Array, values: Array) -> Samples:
     return Samples(t_s, values)
 
 
+def read_field(flight: FlightData, topic: str, field: str) -> Samples:
+    """All samples of one field; empty where the flight does not have the topic.
+
+    Raises KeyError for a name that the definition does not have: it is a fault of the caller.
+    """
+    fields_of(topic)[field]
+    try:
+        return flight.samples(topic, field)
+    except NotFoundError:
+        return Samples(np.empty(0), np.empty(0))
+
+
 def split_name(name: str) -> tuple[str, str]:
     """Topic and field of `topic.field`. Raises NotFoundError where the definition has no such number or flag."""
     topic, _, field = name.partition(".")

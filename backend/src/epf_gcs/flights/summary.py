@@ -10,9 +10,8 @@ import numpy as np
 
 from epf_gcs.contract.flights import Thumbnail
 from epf_gcs.earth import M_PER_DEG
-from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.events import Event
-from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.flight_data import FlightData, read_field
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.flight_summary import FlightSummary
@@ -82,10 +81,7 @@ def _places(flight: FlightData) -> tuple[Array, Array, Array, Array] | None:
 
 def _fastest_kt(flight: FlightData) -> float | None:
     for topic, field in _SPEEDS:
-        try:
-            fastest_kt = _extreme(flight.samples(topic, field).values)
-        except NotFoundError:
-            continue
+        fastest_kt = _extreme(read_field(flight, topic, field).values)
         if fastest_kt is not None:
             return fastest_kt
     return None

@@ -86,7 +86,7 @@ def circuit(noted: list[Note]) -> MadeFlight:
                     "longitude_deg": -15.0 + leg_m / M_PER_DEG / np.cos(np.radians(28.0)),
                 },
             ),
-            "analog": (slow_s, {"battery_V": 12.6 - slow_s / 300.0}),
+            "analog": (slow_s, {"battery_v": 12.6 - slow_s / 300.0}),
         },
         noted,
     )
@@ -222,7 +222,7 @@ def test_what_the_recording_cannot_tell_is_said(found: FlightReport) -> None:
 
 def test_a_battery_that_is_not_connected_is_none() -> None:
     t_s = np.arange(0.0, 30.0)
-    flight = MadeFlight({"analog": (t_s, {"battery_V": np.full(len(t_s), 0.1)})})
+    flight = MadeFlight({"analog": (t_s, {"battery_v": np.full(len(t_s), 0.1)})})
     assert report("20260101T120000Z", flight, NOTHING, [], np.empty(0), np.empty(0)).battery is None
 
 

@@ -46,7 +46,7 @@ class _Where(NamedTuple):
     attitude: tuple[str, str, str]
 
 
-_WHERE: Final[dict[Source, _Where]] = {
+WHERE: Final[dict[Source, _Where]] = {
     "flight": _Where(
         "gps", ("latitude_deg", "longitude_deg", "altitude_m"), 1.0, "ahrs", ("yaw_deg", "pitch_deg", "roll_deg")
     ),
@@ -58,7 +58,7 @@ _WHERE: Final[dict[Source, _Where]] = {
         ("true_heading_deg", "pitch_deg", "roll_deg"),
     ),
 }
-TOPICS: Final = tuple(dict.fromkeys(name for one in _WHERE.values() for name in (one.topic, one.attitude_topic)))
+TOPICS: Final = tuple(dict.fromkeys(name for one in WHERE.values() for name in (one.topic, one.attitude_topic)))
 """Of these topics the tracks are made."""
 
 
@@ -84,7 +84,7 @@ class FlownLine:
 
 def flown_lines(stretch: Stretch, source: Source, aside: Path) -> list[FlownLine]:
     """The lines of the real flight or of the simulator's; empty where there is no position. Raises OSError."""
-    where = _WHERE[source]
+    where = WHERE[source]
     if where.topic not in stretch.topics:
         return []
     path = aside / f"{source}.track"

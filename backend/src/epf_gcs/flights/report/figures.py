@@ -81,7 +81,7 @@ def distances(flight: FlightData, summary: FlightSummary) -> ReportDistances:
 
 def battery(flight: FlightData) -> ReportBattery | None:
     """Volts at the beginning and the end (mean of 10 s each) and the lowest; None where no battery was measured."""
-    volts = read(flight, "analog", "battery_V")
+    volts = read(flight, "analog", "battery_v")
     if not len(volts.t_s) or float(np.max(volts.values)) <= 0.5:
         return None
     first, last = float(volts.t_s[0]), float(volts.t_s[-1])

@@ -13,7 +13,7 @@ from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.places import SUMMARY, Places
 
 FILE: Final = "report.json"
-VERSION: Final = 2
+VERSION: Final = 3
 """Reports of another version are made anew."""
 
 

@@ -7,7 +7,7 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.flight_data import FlightData, read_field
 from epf_gcs.flights.report.manoeuvres import Loop, Series, stretches
 from epf_gcs.units import M_PER_FT
 
@@ -71,10 +71,7 @@ def plan_signals(flight: FlightData, plan: Plan) -> PlanSignals:
 
 def read(flight: FlightData, topic: str, field: str, factor: float = 1.0) -> Series:
     """The samples of a field that have a value; empty where the flight does not have the topic."""
-    try:
-        t_s, values = flight.samples(topic, field)
-    except NotFoundError:
-        return _NOTHING
+    t_s, values = read_field(flight, topic, field)
     known = np.isfinite(values)
     return Series(t_s[known], values[known] * factor)
 
