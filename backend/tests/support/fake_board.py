@@ -42,7 +42,7 @@ _ALL_STREAMS = ("servos", "gps", "statistics", "ahrs", "inertial", "analog", "fl
 
 
 class FakeBoard:
-    """Use it in a `with` block; a station opens `url`. `received`: names of the commands received so far."""
+    """Use it in a `with` block; a station opens `url`."""
 
     def __init__(self, path: Path, *, extended: bool = True) -> None:
         self.path = path
@@ -50,9 +50,9 @@ class FakeBoard:
         self.flags = dict.fromkeys(_FLAGS, 0)
         self.gains: dict[str, float] = {parameter.name: parameter.default for parameter in PARAMETERS}
         self.plans: dict[int, list[tuple[float, ...]]] = {0: [], 1: []}
-        self.received: list[str] = []
-        self.arguments: list[tuple[float, ...]] = []
-        self.raw = b""
+        self._received: list[str] = []
+        self._arguments: list[tuple[float, ...]] = []
+        self._raw = b""
         # Faults by command: how often to ignore it before it works, and the result to acknowledge it with.
         self.ignore: Counter[str] = Counter()
         self.refuse: dict[str, int] = {}
@@ -66,6 +66,7 @@ class FakeBoard:
         self.in_ahrs_test = False
         self.sends_attitude = True
         self.attitude_deg = (10.0, 5.0, -3.0)
+        self._decoder = FrameDecoder(TO_BOARD)
         self._master = -1
         self._slave = -1
         self._building: list[tuple[float, ...]] = []
@@ -77,6 +78,29 @@ class FakeBoard:
     def url(self) -> str:
         """The URL of its line for a station."""
         return f"pty://{self.path}"
+
+    @property
+    def received(self) -> list[str]:
+        """Names of the commands that were sent to it before this is asked."""
+        self._catch_up()
+        return list(self._received)
+
+    @property
+    def arguments(self) -> list[tuple[float, ...]]:
+        """The values of the commands in `received`."""
+        self._catch_up()
+        return list(self._arguments)
+
+    @property
+    def raw(self) -> bytes:
+        """All bytes that were sent to it."""
+        self._catch_up()
+        return self._raw
+
+    def forget_bytes(self) -> None:
+        """Begin `raw` anew."""
+        self._catch_up()
+        self._raw = b""
 
     def __enter__(self) -> Self:
         self.plug_in()
@@ -94,6 +118,7 @@ class FakeBoard:
         self.path.symlink_to(os.ttyname(slave))
         # Keep the slave end open until a station opens it: without one the master reports a hang-up.
         self._slave = slave
+        self._decoder = FrameDecoder(TO_BOARD)
         self.in_binary_mode = self.in_ahrs_test = False
         self.flags = dict.fromkeys(_FLAGS, 0)
         self._stop.clear()
@@ -131,40 +156,57 @@ class FakeBoard:
         """How often this command was received."""
         return self.received.count(name)
 
+    def _catch_up(self) -> None:
+        """Take what lies on the line: on a busy machine its own thread comes later than who asks."""
+        with self._lock:
+            while self._thread is not None and self._read():
+                pass
+
     def _run(self) -> None:
-        decoder = FrameDecoder(TO_BOARD)
         next_s = time.monotonic()
         while not self._stop.is_set():
             ready, _, _ = select.select([self._master], [], [], max(0.0, next_s - time.monotonic()))
             with self._lock:
                 if ready:
-                    self._read(decoder)
+                    self._read()
                 if time.monotonic() >= next_s:
                     next_s = time.monotonic() + HEARTBEAT_PERIOD_S
-                    if self.in_ahrs_test and self.sends_attitude and not self.silent:
-                        self._write(b"\xaa" * 4 + struct.pack("<3f", *self.attitude_deg))
-                    if self.in_binary_mode and not self.silent:
-                        self._write(encode_telemetry("heartbeat", *self.flags.values()))
-                        if self.flags["ahrs"]:
-                            self._write(encode_telemetry("ahrs", 10.0, 5.0, -3.0))
+                    # A line that nobody reads is full after some seconds: a write would wait with the lock.
+                    if select.select([], [self._master], [], 0.0)[1]:
+                        self._tell()
 
-    def _read(self, decoder: FrameDecoder) -> None:
+    def _tell(self) -> None:
+        if self.silent:
+            return
+        if self.in_ahrs_test and self.sends_attitude:
+            self._write(b"\xaa" * 4 + struct.pack("<3f", *self.attitude_deg))
+        if self.in_binary_mode:
+            self._write(encode_telemetry("heartbeat", *self.flags.values()))
+            if self.flags["ahrs"]:
+                self._write(encode_telemetry("ahrs", 10.0, 5.0, -3.0))
+
+    def _read(self) -> bool:
+        """Take what lies on the line; False if nothing does."""
+        # Whoever asks what it received takes it too: the read would wait for more.
+        if not select.select([self._master], [], [], 0.0)[0]:
+            return False
         try:
             data = os.read(self._master, 65536)
         except OSError:
-            return
-        self.raw += data
+            return False
+        self._raw += data
         if not self.in_binary_mode:
             self._read_text(data)
         if OPEN_BINARY_MODE in data:
             self.in_binary_mode = True
             self.in_ahrs_test = False
-        for found in decoder.feed(data):
+        for found in self._decoder.feed(data):
             if isinstance(found, Frame):
                 self._obey(found)
+        return True
 
     def _read_text(self, data: bytes) -> None:
-        if self.has_ahrs_test and SYNCHRONISE in data and BEGIN in self.raw:
+        if self.has_ahrs_test and SYNCHRONISE in data and BEGIN in self._raw:
             self._write(SYNCHRONISED)
             self.in_ahrs_test = True
         elif self.in_ahrs_test and QUIT in data:
@@ -172,8 +214,8 @@ class FakeBoard:
 
     def _obey(self, frame: Frame) -> None:
         name = frame.message.name
-        self.received.append(name)
-        self.arguments.append(tuple(frame.values))
+        self._received.append(name)
+        self._arguments.append(tuple(frame.values))
         if self.silent:
             return
         if self.ignore[name] > 0:

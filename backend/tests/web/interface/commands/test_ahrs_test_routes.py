@@ -31,7 +31,7 @@ def stage(gateway: Gateway) -> str:
 def open_quiet(gateway: Gateway, board: FakeBoard) -> None:
     """Open it, and forget the bytes of the opening."""
     gateway.open_board(board.url)
-    board.raw = b""
+    board.forget_bytes()
 
 
 @pytest.mark.parametrize("which", ["board", "legacy_board"])
@@ -57,7 +57,7 @@ def test_its_attitude_is_a_topic_of_the_stream(gateway: Gateway, board: FakeBoar
 def test_nothing_else_is_sent_and_the_reason_is_said(gateway: Gateway, board: FakeBoard) -> None:
     open_quiet(gateway, board)
     start(gateway)
-    board.raw = b""
+    board.forget_bytes()
     for path, body in (("/commands/ahrs_on", {}), ("/console", {"text": "q"})):
         answer = gateway.http.post(path, json=body)
         assert (answer.status_code, answer.json()["code"]) == (409, "ahrs_test_running")
@@ -79,7 +79,7 @@ def test_its_end_is_confirmed_by_the_heartbeat_and_the_streams_are_back(gateway:
     gateway.open_board(board.url)
     gateway.http.post("/commands/ahrs_on", json={}).raise_for_status()
     start(gateway)
-    board.raw = b""
+    board.forget_bytes()
     outcome = stop(gateway)
     assert (outcome["state"], outcome["by"]) == ("confirmed", "heartbeat")
     assert board.raw.startswith(QUIT + OPEN_BINARY_MODE)
@@ -139,7 +139,7 @@ def test_without_a_board_or_in_the_emulation_it_is_refused(gateway: Gateway) -> 
 def test_a_second_start_changes_nothing(gateway: Gateway, board: FakeBoard) -> None:
     open_quiet(gateway, board)
     start(gateway)
-    board.raw = b""
+    board.forget_bytes()
     assert start(gateway)["state"] == "confirmed"
     assert board.raw == b""
 
