@@ -29,6 +29,8 @@ def parts(changelog: str) -> dict[str, str]:
 def notes(changelog: str, version: str, tag: str | None = None) -> str:
     """The part of this version. Raises NotesError."""
     found = parts(changelog)
+    if ".dev" in version:
+        raise NotesError(f"{version} is under way: a release takes its number first (CONTRIBUTING.md)")
     if tag is not None:
         if tag != f"v{version}":
             raise NotesError(f"the tag is {tag} and the version is {version}: the tag has to be v{version}")

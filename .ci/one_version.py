@@ -4,7 +4,8 @@ Usage: one_version.py ROOT
 
 The station's version is said in backend/pyproject.toml; everything else asks for it (`epf_gcs.__version__`; the page
 shows the gateway's answer). The board's firmware has a version of its own, because it stays on boards when the
-station is renewed; it is said in one header. The newest release in CHANGELOG.md must be the station's version.
+station is renewed; it is said in one header. The newest release in CHANGELOG.md must be the station's version, or come
+before it while the next one is under way (1.2.0.dev0): what is built in between is newer than what was released.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
+
+from packaging.version import Version
 
 SOURCE: Final = "backend/pyproject.toml"
 PACKAGES: Final = ("frontend/package", "e2e/package")
@@ -64,10 +67,12 @@ def of_packages(root: Path) -> Iterator[str]:
 
 
 def of_releases(root: Path, version: str) -> Iterator[str]:
-    """Yield a sentence where the newest release is not this version."""
+    """Yield a sentence where the newest release does not go with this version."""
     found = _RELEASE.search((root / "CHANGELOG.md").read_text(encoding="utf-8"))
-    if found is None or found[1] != version:
-        yield f"the newest release in CHANGELOG.md is {found[1] if found else 'missing'}, the version is {version}"
+    newest = Version(found[1] if found else "0")
+    is_right = newest < Version(version) if Version(version).is_devrelease else newest == Version(version)
+    if not is_right:
+        yield f"the newest release in CHANGELOG.md is {newest}, the version is {version}"
 
 
 def main(root: Path) -> int:

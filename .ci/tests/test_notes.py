@@ -48,3 +48,9 @@ def test_a_version_that_is_not_the_newest_makes_no_release(tree: Path) -> None:
 def test_a_version_of_which_nothing_is_told_makes_no_release(tree: Path) -> None:
     (tree / "CHANGELOG.md").write_text("# Changelog\n\n## 1.2.0\n\n## 1.1.0\n\n- Old.\n")
     assert said(tree, "v1.2.0") == (1, "notes: CHANGELOG.md tells nothing of 1.2.0.")
+
+
+def test_a_version_that_is_under_way_makes_no_release(tree: Path) -> None:
+    (tree / "backend" / "pyproject.toml").write_text('[project]\nversion = "1.3.0.dev0"\n')
+    sentence = "notes: 1.3.0.dev0 is under way: a release takes its number first (CONTRIBUTING.md)."
+    assert said(tree) == said(tree, "v1.3.0.dev0") == (1, sentence)

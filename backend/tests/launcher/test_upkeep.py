@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -9,10 +12,11 @@ import typer
 from typer.testing import CliRunner
 
 from epf_gcs import __version__
-from epf_gcs.data_folder import place
+from epf_gcs.data_folder import place, whereabouts
 from epf_gcs.data_folder.lock import DataFolder
 from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.launcher.upkeep import add_commands
+from tests.support.waiting import DEADLINE_S
 
 app = typer.Typer()
 add_commands(app)
@@ -52,6 +56,26 @@ def test_in_a_source_tree_the_data_lie_in_it_and_else_with_the_user_s_data(monke
     monkeypatch.setenv("XDG_DATA_HOME", "/home/ana/.local/share")
     assert place.data_folder().name == "epf-gcs"
     assert place.data_folder() != tree / "data"
+    assert place.demonstration_folder().name == "epf-gcs-demonstration"
+
+
+def test_a_command_that_names_no_folder_means_the_demonstration_while_it_alone_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own, other = tmp_path / "own", tmp_path / "other"
+    monkeypatch.setattr(whereabouts, "data_folder", lambda: own)
+    monkeypatch.setattr(whereabouts, "demonstration_folder", lambda: other)
+    own.mkdir()
+    other.mkdir()
+    found = whereabouts.Whereabouts("127.0.0.1", 8000, tls=False)
+    assert whereabouts.folder_meant() == own
+    with DataFolder(other):
+        whereabouts.leave(other, found)
+        assert whereabouts.folder_meant() == other
+        with DataFolder(own):
+            whereabouts.leave(own, found)
+            assert whereabouts.folder_meant() == own
+    assert whereabouts.folder_meant() == own
 
 
 def test_what_an_upgrade_changed_is_put_back_by_a_command(tmp_path: Path) -> None:
@@ -63,3 +87,14 @@ def test_what_an_upgrade_changed_is_put_back_by_a_command(tmp_path: Path) -> Non
     assert (tmp_path / "state.json").read_text() == '{"online": {}}'
     code, said = run("downgrade", "--data-dir", tmp_path)
     assert (code, "No upgrade" in said) == (1, True)
+
+
+@pytest.mark.parametrize("program", ["epf_gcs.launcher", "epf_gcs.launcher.gateway", "epf_gcs.simulator"])
+def test_the_help_is_whole_on_a_terminal_of_80_columns(program: str) -> None:
+    command = [sys.executable, "-m", program, "--help"]
+    said = subprocess.run(
+        command, capture_output=True, text=True, check=True, env={**os.environ, "COLUMNS": "80"}, timeout=DEADLINE_S
+    ).stdout
+    assert "…" not in said
+    assert max(map(len, said.splitlines())) <= 80
+    assert "\n    epf-" in said, "an example stands on a line of its own"

@@ -792,7 +792,7 @@ export const isFlight = shape({
   operator: nullable(isText),
   pinned: isFlag,
   started_s: isNumber,
-  state: oneOf("recording", "waiting", "indexing", "indexed", "damaged"),
+  state: oneOf("recording", "waiting", "indexing", "indexed", "damaged", "unread"),
   station: nullable(isText),
   tags: list(isText),
   thumbnail: nullable(isThumbnail),

@@ -11,9 +11,17 @@ from epf_gcs.product import source_tree
 
 DEFAULT: Final = "data in a source tree, else this user's place for data"
 """The same in words, for help texts."""
+DEMONSTRATION: Final = "data-demonstration in a source tree, else epf-gcs-demonstration in this user's place for data"
+"""The demonstration's folder in words."""
 
 
 def data_folder() -> Path:
     """`data` in a source tree; else the place that this system has for a user's data, never where one stands."""
     tree = source_tree()
     return user_data_path("epf-gcs", appauthor=False) if tree is None else tree / "data"
+
+
+def demonstration_folder() -> Path:
+    """Of `epf-run` with a board of its own: what a demonstration flew and was linked with is no station's business."""
+    tree = source_tree()
+    return user_data_path("epf-gcs-demonstration", appauthor=False) if tree is None else tree / "data-demonstration"

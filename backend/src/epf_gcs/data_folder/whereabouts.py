@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.data_folder.lock import FLIGHT, PATIENCE_S, STATION, WEB, DataFolder, held, is_in_use, tighten
+from epf_gcs.data_folder.place import data_folder, demonstration_folder
 from epf_gcs.disk import KeptFile
 from epf_gcs.errors import ConflictError
 
@@ -50,6 +51,12 @@ def of_running(folder: Path) -> Whereabouts | None:
         return _file(folder).read() if is_in_use(folder) else None
     except (OSError, ValueError):
         return None
+
+
+def folder_meant() -> Path:
+    """The folder of who names none: the station's own, or the demonstration's while that one alone runs."""
+    own, other = data_folder(), demonstration_folder()
+    return other if of_running(other) is not None and of_running(own) is None else own
 
 
 def _file(folder: Path) -> KeptFile[Whereabouts]:

@@ -11,7 +11,7 @@ from typing import Annotated
 
 import typer
 
-from epf_gcs.data_folder.place import DEFAULT, data_folder
+from epf_gcs.data_folder.place import DEFAULT, DEMONSTRATION, data_folder, demonstration_folder
 from epf_gcs.launcher.access import invite_command, print_invitation
 from epf_gcs.launcher.demonstration import Demonstration, StopRequest
 from epf_gcs.launcher.emulated import EmulatedBoard
@@ -22,7 +22,9 @@ from epf_gcs.system.locks import lock
 from epf_gcs.system.private_files import write_private_files
 from epf_gcs.system.signals import POLITE
 
-app = typer.Typer(pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]})
+app = typer.Typer(
+    pretty_exceptions_enable=False, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
+)
 
 
 class Profile(StrEnum):
@@ -92,13 +94,13 @@ def run(
         Path | None, typer.Option(help="The certificate's key (PEM), if not beside it.", show_default=False)
     ] = None,
     data: Annotated[
-        Path,
+        Path | None,
         typer.Option(
             "--data-dir",
             help="Folder for recordings, settings, the board's card and the programs' logs.",
-            show_default=DEFAULT,
+            show_default=f"{DEMONSTRATION}; with --board a real one, {DEFAULT}",
         ),
-    ] = data_folder(),  # noqa: B008 - it does not change while the program runs
+    ] = None,
     version: Annotated[
         bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version and end.")
     ] = False,
@@ -109,6 +111,7 @@ def run(
     A program that dies is started again, and the flight goes on. The programs'
     logs are in DATA/logs; those of the run before end in .1.log.
 
+    \b
     Examples:
       epf-run
       epf-run --port 8001 --lan
@@ -119,6 +122,8 @@ def run(
     try:
         real = None if xplane is None else XPlane.at(xplane, receive_port, profile.value)
         emulated = EmulatedBoard.named(board)
+        if data is None:
+            data = demonstration_folder() if board is None or emulated else data_folder()
         options = Options(
             board=None if emulated else board,
             emulated=emulated,

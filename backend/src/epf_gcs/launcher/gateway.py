@@ -40,7 +40,9 @@ _SIGNAL_AGAIN_S: Final = 2.0
 
 _DATA: Final = data_folder()
 
-app = typer.Typer(context_settings={"help_option_names": ["-h", "--help"]}, pretty_exceptions_enable=False)
+app = typer.Typer(
+    pretty_exceptions_enable=False, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
+)
 
 
 class Gateway:
@@ -218,6 +220,7 @@ def run(
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
 
+    \b
     Examples:
       epf-gcs
       epf-gcs --board serial:///dev/ttyUSB0?baud=57600

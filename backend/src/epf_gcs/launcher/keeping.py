@@ -28,6 +28,7 @@ from epf_gcs.data_folder.version import FORMAT, read_format
 from epf_gcs.data_folder.whereabouts import FILE as WHEREABOUTS
 from epf_gcs.disk import sync_folder
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.recordings.places import PACKING
 
 LIST: Final = "epf-gcs-backup.json"
 # Made again from the recordings, or of this run alone.
@@ -122,7 +123,7 @@ def _worth_keeping(data: Path, part: Path) -> Iterator[Path]:
         names = path.relative_to(data).parts
         if names[0] in _LEFT_OUT or path == part or path.is_symlink() or not path.is_file():
             continue
-        if not path.name.endswith(_DATABASE_MARKS) and not path.name.endswith((".new", ".part")):
+        if not path.name.endswith(_DATABASE_MARKS) and not path.name.endswith((".new", ".part", PACKING)):
             yield path
 
 

@@ -10,9 +10,10 @@ import typer
 
 from epf_gcs import __version__
 from epf_gcs.data_folder.lock import is_in_use
-from epf_gcs.data_folder.place import data_folder
+from epf_gcs.data_folder.place import DEFAULT, data_folder
 from epf_gcs.data_folder.upgrade import downgrade as put_back
 from epf_gcs.data_folder.version import FormatError
+from epf_gcs.data_folder.whereabouts import folder_meant
 from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.doctor import findings, report
 from epf_gcs.launcher.errors import LaunchError
@@ -46,7 +47,16 @@ def version() -> None:
 
 def doctor(
     *,
-    data_dir: _Folder = _DATA,
+    data_dir: Annotated[
+        Path,
+        typer.Option(
+            show_envvar=False,
+            envvar="GCS_DATA_DIR",
+            help="The station's data folder.",
+            default_factory=folder_meant,
+            show_default=DEFAULT,
+        ),
+    ],
     port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The page's TCP port.")] = 8000,
 ) -> None:
     """Look for what keeps the station from working here, and say what mends it. Ends with 1 if something does."""

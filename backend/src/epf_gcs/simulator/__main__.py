@@ -30,7 +30,9 @@ from epf_gcs.system.signals import POLITE
 
 LOOPBACK = "127.0.0.1"
 
-app = typer.Typer(pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]})
+app = typer.Typer(
+    pretty_exceptions_enable=False, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
+)
 
 
 def _print_version(asked: bool) -> None:  # noqa: FBT001 - how an option's callback is called
@@ -180,6 +182,7 @@ def simulate(
     The pilot's stick is neutral and trimmed: left alone, the aircraft flies on.
     After a crash it is put back to its start. The ground is flat, 78 ft high.
 
+    \b
     Examples:
       epf-sim
       epf-sim --start runway --wind 330/20 --turbulence moderate

@@ -110,7 +110,7 @@ export const FlightRow = memo(function FlightRow(props: Props) {
 
 /** Something of it can be looked at: what could not be read at all cannot. */
 export function canOpen({ state }: Pick<Flight, "state">): boolean {
-  return state !== "damaged";
+  return state !== "damaged" && state !== "unread";
 }
 
 function Badge({ children, level = "plain" }: { readonly children: string; readonly level?: string }) {

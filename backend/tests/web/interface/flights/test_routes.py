@@ -10,6 +10,7 @@ from typing import Any, cast
 import pyarrow as pa
 import pytest
 
+from epf_gcs import extras
 from epf_gcs.library.imports import most_import_bytes
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import TOPICS
@@ -266,6 +267,18 @@ def test_the_flight_in_the_air_gives_the_answers_that_it_gives_when_it_is_over(
     count = len(live["at_s"])
     assert after["at_s"][:count] == live["at_s"]
     assert after["min"][:count] == live["min"]
+
+
+def test_a_flight_that_nothing_here_can_look_into_is_unread_and_not_damaged(
+    gateway: Gateway, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as without:
+        without.setattr(extras, "find_spec", lambda _name: None)
+        flight = flown(gateway, board)
+        eventually(lambda: gateway.http.get(f"/flights/{flight}").json()["state"] == "unread", "it is unread")
+        assert gateway.http.get(f"/flights/{flight}").json()["fault"]["code"] == "extra_missing"
+    gateway.http.post(f"/flights/{flight}/index").raise_for_status()
+    assert indexed(gateway, flight)["fault"] is None
 
 
 def test_a_mark_is_set_changed_and_removed_and_survives_a_new_index(gateway: Gateway, board: FakeBoard) -> None:

@@ -241,4 +241,7 @@ def _state(row: Row, flights: Flights, *, active: bool) -> FlightState:
         return "indexing"
     if row.summary is not None:
         return "indexed"
-    return "waiting" if row.fault is None else "damaged"
+    if row.fault is None:
+        return "waiting"
+    # Nothing is wrong with the file where the packages to look into it are missing.
+    return "unread" if row.fault.code == "extra_missing" else "damaged"

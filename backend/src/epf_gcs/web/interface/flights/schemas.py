@@ -15,7 +15,7 @@ from epf_gcs.formats.kml_words import Language
 from epf_gcs.recordings.export_names import ExportFormat
 from epf_gcs.web.interface.flights.settings_schemas import FlightDisk
 
-FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
+FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged", "unread"]
 Tag = Annotated[str, Field(min_length=1, max_length=40)]
 TopicName = Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]{1,64}$")]
 MarkText = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500)]
