@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import os
 import platform
 import shutil
 import subprocess
@@ -34,6 +35,9 @@ PROGRAM: Final = Path("static/epf-board")
 LICENCES: Final = "licences.txt"
 BILL: Final = "epf-gcs.cdx.json"
 WITHOUT: Final = ("none", "sdist")
+EPOCH: Final = "SOURCE_DATE_EPOCH"
+# The earliest time that a zip can say.
+_FIRST_S: Final = "315532800"
 # glibc is linked in; the kernel of any Linux since 2014 runs it.
 _LINUX: Final = "manylinux_2_17"
 
@@ -87,6 +91,12 @@ def program_of(machine: str) -> Path | None:
     return BUILT / PROGRAM if machine == platform.machine() else BUILT / machine / PROGRAM
 
 
+def committed_s(root: Path) -> str:
+    """When the tree was last changed (Unix s), which all files of the wheel say: two builds of one tree are equal."""
+    asked = ["git", "-C", str(root), "log", "-1", "--format=%ct"]
+    return subprocess.run(asked, capture_output=True, text=True, check=False).stdout.strip() or _FIRST_S
+
+
 def command(machine: str, staged: str, out: Path) -> list[str]:
     """The program that builds what was staged."""
     if machine == "sdist":
@@ -111,7 +121,12 @@ def main() -> int:
             print(f"wheel: {error.filename} is missing: run `make wheel`, which builds it first.", file=sys.stderr)
             return 1
         built = subprocess.run(
-            command(machine, staged, Path(made)), cwd=staged, check=False, stdout=subprocess.PIPE, text=True
+            command(machine, staged, Path(made)),
+            cwd=staged,
+            env={**os.environ, EPOCH: os.environ.get(EPOCH) or committed_s(root)},
+            check=False,
+            stdout=subprocess.PIPE,
+            text=True,
         )
         if built.returncode:
             print(built.stdout, file=sys.stderr)

@@ -49,4 +49,4 @@ $(eval $(call board_flavour,posix-asan,$(SANITIZED)))
 $(BUILD)/static/epf-board: $(BUILD)/posix/epf-board
 	@mkdir -p $(@D)
 	@echo "  LD $@"
-	@$(CC) $(OPTIMISED) -static -o $@ $(patsubst %.c,$(BUILD)/posix/object/%.o,$(board_sources) $(kernel_sources) $(littlefs_sources)) $(board_link)
+	@$(CC) $(OPTIMISED) -static -s -o $@ $(patsubst %.c,$(BUILD)/posix/object/%.o,$(board_sources) $(kernel_sources) $(littlefs_sources)) $(board_link)
