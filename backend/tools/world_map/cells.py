@@ -1,6 +1,6 @@
-"""The files that ship: one for each cell of a level's grid in which there is anything.
+"""The file that ships: one after the other the cells of a level's grid in which there is anything.
 
-A file is gzip of
+A cell is gzip of
 1. the length of the text, 4 bytes; all numbers of several bytes are little endian;
 2. the text (JSON, UTF-8): of each table its columns, without the places;
 3. for each table of the text in turn the x of all its rows, then their y, 2 bytes each: shares of the cell's side in
@@ -16,8 +16,7 @@ from __future__ import annotations
 import gzip
 import json
 from collections import defaultdict
-from pathlib import Path
-from typing import Any, Final
+from typing import Any, BinaryIO, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -61,13 +60,13 @@ class Cells:
         place = [round(min(1.0, max(0.0, share)) * _PLACE_UNITS) for share in (x, y)]
         self._things[cell].setdefault(kind, []).append([*place, *thing])
 
-    def write(self, folder: Path) -> list[Cell]:
-        """Write the files as `COLUMN-ROW.bin`; returns the cells that have one."""
-        folder.mkdir(parents=True, exist_ok=True)
-        filled = sorted({*self._land, *self._borders, *self._things})
-        for cell in filled:
-            column, row = cell
-            (folder / f"{column}-{row}.bin").write_bytes(self._packed(cell))
+    def write(self, file: BinaryIO) -> dict[str, tuple[int, int]]:
+        """Append all cells; returns by `COLUMN-ROW` the first byte and how many."""
+        filled = {}
+        for column, row in sorted({*self._land, *self._borders, *self._things}):
+            packed = self._packed((column, row))
+            filled[f"{column}-{row}"] = file.tell(), len(packed)
+            file.write(packed)
         return filled
 
     def _add(self, shapes: defaultdict[Cell, list[Whole]], cell: Cell, points: Points, least: int) -> None:

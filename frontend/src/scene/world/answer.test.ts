@@ -1,22 +1,17 @@
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { distance_m } from "../../lib/geodesy";
 import { DrawnContext, DrawnPath } from "../../test/drawnContext";
+import { askWorld } from "../../test/worldMap";
 import { GROUND } from "../look";
 import { answerOf } from "./answer";
 import { CellStore } from "./cellStore";
 import type { WorldQuestion } from "./messages";
 import type { NamedThing, NearAirfield } from "./things";
 
-const FOLDER = join(import.meta.dirname, "../../../public/map/world");
 const GANDO = { latitude_deg: 27.93, longitude_deg: -15.387 };
 
 /** The map that ships with the page, read from its folder. */
-const store = new CellStore((address) => {
-  const file = readFileSync(join(FOLDER, address.replace("/map/world/", "")));
-  return Promise.resolve(new Response(file));
-});
+const store = new CellStore(askWorld);
 
 let contexts: (DrawnContext | null)[] = [];
 let hasCanvas = true;

@@ -1,8 +1,8 @@
-import { existsSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { createHash } from "node:crypto";
 import { gunzipSync } from "node:zlib";
 import { describe, expect, test } from "vitest";
 import { distance_m } from "../../lib/geodesy";
+import { askWorld, packedCell, WORLD_CELLS, WORLD_LEVELS, WORLD_SHA256 } from "../../test/worldMap";
 import { type Cell, type CellPlace, decodeCell, SHAPE_UNITS } from "./cell";
 import { CellStore } from "./cellStore";
 import { boxOf } from "./geometry";
@@ -10,11 +10,8 @@ import { runwayLength_m } from "./runways";
 import { highest, nearestOf, thingsIn } from "./things";
 import { cellsOf } from "./tiling";
 
-const FOLDER = join(import.meta.dirname, "../../../public/map/world");
-
 function read(place: CellPlace): Cell {
-  const file = join(FOLDER, `${place.level}`, `${place.column}-${place.row}.bin`);
-  return decodeCell(gunzipSync(readFileSync(file)), place);
+  return decodeCell(gunzipSync(packedCell(place.level, `${place.column}-${place.row}`)), place);
 }
 
 /** The square of five degrees with Gran Canaria. */
@@ -91,22 +88,20 @@ test("the coast around home is as fine as the source, 126 m from point to point"
 });
 
 test("a file that is cut anywhere is refused, and never half a cell", () => {
-  const bytes = gunzipSync(readFileSync(join(FOLDER, "2", "32-23.bin")));
+  const bytes = gunzipSync(packedCell(2, "32-23"));
   for (const share of [0, 0.01, 0.3, 0.7, 0.95, 0.999]) {
     const cut = bytes.subarray(0, Math.floor(share * bytes.length));
     expect(() => decodeCell(cut, HOME.place)).toThrow();
   }
 });
 
-test("every cell of the index has its file, and every level names its largest towns", () => {
-  const index = JSON.parse(readFileSync(join(FOLDER, "index.json"), "utf8")) as Record<
-    string,
-    { cells: string[] }
-  >;
-  for (const [level, { cells }] of Object.entries(index)) {
-    expect(cells.length).toBeGreaterThan(1);
-    expect(cells.filter((cell) => !existsSync(join(FOLDER, level, `${cell}.bin`)))).toEqual([]);
+test("every cell of the index can be unpacked, and every level names its largest towns", () => {
+  for (const [level, { cells }] of Object.entries(WORLD_LEVELS)) {
+    const names = Object.keys(cells);
+    expect(names.length).toBeGreaterThan(1);
+    expect(names.filter((cell) => gunzipSync(packedCell(Number(level), cell)).length < 4)).toEqual([]);
   }
+  expect(createHash("sha256").update(WORLD_CELLS).digest("hex")).toBe(WORLD_SHA256);
   const world = [0, 1].map((column) => read({ level: 0, column, row: 0, size_deg: 180 }));
   const names = world.flatMap(({ towns }) => towns.map(({ name }) => name));
   expect(names).toEqual(expect.arrayContaining(["Madrid", "London", "Tokyo", "Lagos", "Lima"]));
@@ -141,10 +136,9 @@ describe("the things of a view", () => {
 test("cells are asked for once, and one that failed is asked for again", async () => {
   const asked: string[] = [];
   let isAway = false;
-  const store = new CellStore((address) => {
+  const store = new CellStore((address, headers) => {
     asked.push(address);
-    const file = readFileSync(join(FOLDER, address.replace("/map/world/", "")));
-    return Promise.resolve(isAway ? new Response("", { status: 503 }) : new Response(file));
+    return isAway ? Promise.resolve(new Response("", { status: 503 })) : askWorld(address, headers);
   });
   const box = boxOf([
     [-15.5, 27.8],
@@ -152,12 +146,21 @@ test("cells are asked for once, and one that failed is asked for again", async (
   ]);
   expect(await store.within(2, box)).toHaveLength(1);
   await store.within(2, box);
-  expect(asked).toEqual(["/map/world/index.json", "/map/world/2/32-23.bin"]);
+  expect(asked).toEqual(["/map/world/index.json", "/map/world/cells.bin"]);
   isAway = true;
   const other = { ...box, west_deg: -6, east_deg: -5.9 };
   await expect(store.within(2, other)).rejects.toThrow("503");
   isAway = false;
   expect(await store.within(2, other)).toHaveLength(1);
+});
+
+test("a server that knows no parts of files gives the same cell", async () => {
+  const box = boxOf([
+    [-15.5, 27.8],
+    [-15.3, 28],
+  ]);
+  const [whole] = await new CellStore((address) => askWorld(address)).within(2, box);
+  expect(whole).toEqual(HOME);
 });
 
 test("the open sea has no cell, and the poles have theirs", () => {

@@ -6,23 +6,29 @@ const FOLDER = "/map/world";
 /** Cells kept in memory, the ones used last. */
 const MOST_CELLS = 80;
 
-/** Which cells have a file, by level. */
+/** Where a cell lies in the file of all cells: first byte, and how many. */
+type Stretch = readonly [from: number, bytes: number];
+
+/** Which cells there are, by level. */
 type Index = Readonly<
-  Record<`${WorldLevel}`, { readonly size_deg: number; readonly cells: readonly string[] }>
+  Record<`${WorldLevel}`, { readonly size_deg: number; readonly cells: Readonly<Record<string, Stretch>> }>
 >;
 
 interface KnownLevel {
   readonly size_deg: number;
-  readonly cells: ReadonlySet<string>;
+  readonly cells: ReadonlyMap<string, Stretch>;
 }
+
+/** Asks for a file, or for a part of it. */
+export type Ask = (address: string, headers?: Readonly<Record<string, string>>) => Promise<Response>;
 
 /** The map's cells: asked for once, kept, and forgotten in the order in which they were last used. */
 export class CellStore {
-  readonly #fetch: (address: string) => Promise<Response>;
+  readonly #fetch: Ask;
   readonly #cells = new Map<string, Promise<Cell>>();
   #levels: Promise<readonly KnownLevel[]> | null = null;
 
-  constructor(ask: (address: string) => Promise<Response>) {
+  constructor(ask: Ask) {
     this.#fetch = ask;
   }
 
@@ -32,10 +38,12 @@ export class CellStore {
     if (known === undefined) {
       return [];
     }
-    const places = cellsOf(level, known.size_deg, box).filter(({ column, row }) =>
-      known.cells.has(`${column}-${row}`),
+    return await Promise.all(
+      cellsOf(level, known.size_deg, box).flatMap((place) => {
+        const stretch = known.cells.get(`${place.column}-${place.row}`);
+        return stretch === undefined ? [] : [this.#cell(place, stretch)];
+      }),
     );
-    return await Promise.all(places.map((place) => this.#cell(place)));
   }
 
   #known(): Promise<readonly KnownLevel[]> {
@@ -51,17 +59,17 @@ export class CellStore {
     const index = (await (await this.#ask(`${FOLDER}/index.json`)).json()) as Index;
     return ([0, 1, 2] as const).map((level) => ({
       size_deg: index[level].size_deg,
-      cells: new Set(index[level].cells),
+      cells: new Map(Object.entries(index[level].cells)),
     }));
   }
 
-  #cell(place: CellPlace): Promise<Cell> {
+  #cell(place: CellPlace, stretch: Stretch): Promise<Cell> {
     const key = `${place.level}/${place.column}-${place.row}`;
     const known = this.#cells.get(key);
     this.#cells.delete(key);
     const cell =
       known ??
-      this.#readCell(`${FOLDER}/${key}.bin`, place).catch((error: unknown) => {
+      this.#readCell(place, stretch).catch((error: unknown) => {
         this.#cells.delete(key);
         throw error;
       });
@@ -75,19 +83,19 @@ export class CellStore {
     return cell;
   }
 
-  async #readCell(address: string, place: CellPlace): Promise<Cell> {
-    const { body } = await this.#ask(address);
-    if (body === null) {
-      throw new Error(`${address} is empty`);
-    }
-    const whole = new Response(body.pipeThrough(new DecompressionStream("gzip")));
+  async #readCell(place: CellPlace, [from, bytes]: Stretch): Promise<Cell> {
+    const answer = await this.#ask(`${FOLDER}/cells.bin`, { Range: `bytes=${from}-${from + bytes - 1}` });
+    const told = await answer.blob();
+    // A server that does not know parts sends the whole file.
+    const packed = answer.status === 206 ? told : told.slice(from, from + bytes);
+    const whole = new Response(packed.stream().pipeThrough(new DecompressionStream("gzip")));
     return decodeCell(new Uint8Array(await whole.arrayBuffer()), place);
   }
 
-  async #ask(address: string): Promise<Response> {
-    const answer = await this.#fetch(address);
+  async #ask(...what: Parameters<Ask>): Promise<Response> {
+    const answer = await this.#fetch(...what);
     if (!answer.ok) {
-      throw new Error(`${address}: ${answer.status}`);
+      throw new Error(`${what[0]}: ${answer.status}`);
     }
     return answer;
   }

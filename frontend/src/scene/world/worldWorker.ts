@@ -3,7 +3,7 @@ import { CellStore } from "./cellStore";
 import type { NumberedAnswer, NumberedQuestion } from "./messages";
 
 // Beside the page: reads the map's cells and draws its tiles, so that the instruments never wait for them.
-const store = new CellStore((address) => fetch(address));
+const store = new CellStore((address, headers) => fetch(address, { headers: { ...headers } }));
 
 /** The part of a worker's global scope that is used here. */
 const page = globalThis as unknown as {
