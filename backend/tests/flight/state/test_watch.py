@@ -311,6 +311,23 @@ async def test_a_board_has_five_seconds_to_speak_from_when_it_was_wanted_or_the_
     assert set(at.found(1014.1)) == {"no_heartbeat"}
 
 
+async def test_a_board_whose_line_is_opened_again_is_silent_only_when_it_has_not_spoken_for_a_second(
+    tmp_path: Path,
+) -> None:
+    at = At(tmp_path)
+    session = at.station.board.session
+    at.station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    assert at.found(1000.0) == {}
+    session.heartbeat_s = 1010.0
+    assert at.found(1010.0) == {}
+    session.heartbeat_s = None
+    assert at.found(1010.9) == {}
+    assert set(at.found(1011.1)) == {"heartbeat_lost"}
+    at.station.supervisor.want(parse_address(f"pty://{tmp_path}/other"), None)
+    assert at.found(1012.0) == {}, "another board has five seconds of its own"
+    assert set(at.found(1017.1)) == {"no_heartbeat"}
+
+
 async def test_the_loop_is_open_half_a_second_after_what_went_or_came_last(tmp_path: Path) -> None:
     at = At(tmp_path)
     hil, station = at.station.hil, at.station

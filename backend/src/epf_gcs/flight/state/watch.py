@@ -48,7 +48,10 @@ class Watch:
         self.surroundings = surroundings
         self._steady_s = steady_s
         self._wants = wants
-        self._wanted_since_s: float | None = None
+        # The board that is wanted, since when, and when it was heard last, however often its line was opened again.
+        self._target: str | None = None
+        self._wanted_since_s = steady_s()
+        self._heard_s: float | None = None
         self._vehicle = VehicleWatch(both.board, telemetry, steady_s())
         self._strangers = StrangersJudge(steady_s())
         self._flood = FloodJudge()
@@ -94,16 +97,20 @@ class Watch:
         supervisor = self._supervisor
         if supervisor.address is None or self._board.exclusive_user is not None:
             # While another user (the AHRS test) has the line, the board's silence is expected.
-            self._wanted_since_s = None
+            self._target = None
             return None
-        if self._wanted_since_s is None:
-            self._wanted_since_s = now_s
+        target = supervisor.address.target
+        if target != self._target:
+            self._target, self._wanted_since_s, self._heard_s = target, now_s, None
+        # Each opening begins a session that has heard nothing yet: a board that spoke a moment ago is not silent.
+        if self._board.session.heartbeat_s is not None:
+            self._heard_s = now_s - (self._telemetry.age_s("heartbeat") or 0.0)
         return Line(
-            target=supervisor.address.target,
+            target=target,
             wanted_for_s=now_s - self._wanted_since_s,
             is_lost=supervisor.state == "lost",
-            was_heard=self._board.session.heartbeat_s is not None,
-            heartbeat_age_s=self._telemetry.age_s("heartbeat"),
+            was_heard=self._heard_s is not None,
+            heartbeat_age_s=None if self._heard_s is None else now_s - self._heard_s,
             stale_after_s=self._telemetry.stale_after_s("heartbeat"),
             failure=None if supervisor.failure is None else supervisor.failure.detail,
         )
