@@ -79,7 +79,7 @@ def test_the_network_of_the_default_route_is_told_first_and_virtual_ones_last(
     monkeypatch.setattr("epf_gcs.access.addresses.addresses_by_interface", lambda: here)
     monkeypatch.setattr("epf_gcs.access.addresses._outward_address", lambda _: outward)
     told = addresses("0.0.0.0", 8000, secure=False)  # noqa: S104 - nothing listens
-    assert told[:-1] == [f"http://{number}:8000" for number in order]
+    assert [one for one in told if not one.endswith(".local:8000")] == [f"http://{number}:8000" for number in order]
 
 
 def test_the_way_out_is_an_address_of_this_machine_or_unknown() -> None:
@@ -134,3 +134,13 @@ def test_no_invitation_leads_elsewhere_and_none_is_made(contained: Gateway, addr
         answer = owner.post("/access/invitations", json={"address": address})
         assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
         assert owner.get("/access/invitations").json()["invitations"] == []
+
+
+@pytest.mark.parametrize("is_announced", [True, False])
+def test_the_machine_s_name_is_told_only_where_something_answers_for_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, *, is_announced: bool
+) -> None:
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setattr("epf_gcs.access.addresses._AVAHI", tmp_path if is_announced else tmp_path / "nowhere")
+    told = addresses("0.0.0.0", 8000, secure=False)  # noqa: S104 - nothing listens
+    assert any(address.endswith(".local:8000") for address in told) is is_announced

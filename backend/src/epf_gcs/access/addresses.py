@@ -6,7 +6,9 @@ import io
 import ipaddress
 import re
 import socket
+import sys
 from functools import lru_cache
+from pathlib import Path
 from typing import Final
 from urllib.parse import urlencode, urlsplit
 
@@ -21,6 +23,8 @@ _VIRTUAL: Final = re.compile(
     r"docker|podman|br-|veth|virbr|vmnet|vboxnet|vethernet|lxc|lxd|cni|flannel|cali|tun|tap|utun|wg|ppp|tailscale|zt|nebula",
     re.IGNORECASE,
 )
+# Of the program that announces names on Linux; the other systems announce theirs themselves.
+_AVAHI: Final = Path("/run/avahi-daemon/socket")
 # Addresses of documentation (RFC 5737, 3849): everybody's default route leads to them, and nobody is there.
 _DOCUMENTATION: Final = {4: (socket.AF_INET, "192.0.2.1"), 6: (socket.AF_INET6, "2001:db8::1")}
 
@@ -32,7 +36,7 @@ def addresses(host: str, port: int, *, secure: bool, reached_at: str | None = No
     Empty where it listens on the loopback alone.
     """
     if host in _ANY:
-        hosts = [*_own_addresses(6 if host == "::" else 4), *own_names()[-1:]]
+        hosts = [*_own_addresses(6 if host == "::" else 4), *(own_names()[-1:] if is_name_announced() else [])]
     else:
         hosts = own_names()[-1:] if _is_link_local(host) else [host]
     scheme = "https" if secure else "http"
@@ -70,6 +74,11 @@ def own_names() -> list[str]:
     name = socket.gethostname().lower()
     short = name.partition(".")[0]
     return [name, short, f"{short}.local"] if short else []
+
+
+def is_name_announced() -> bool:
+    """Whether something on this machine answers others that ask for its name ending in .local (mDNS)."""
+    return sys.platform != "linux" or _AVAHI.exists()
 
 
 def _own_addresses(version: int) -> list[str]:
