@@ -99,10 +99,11 @@ function useSharedWords(): ComponentProps<typeof WordsProvider>["words"] {
       warning: t("words.warning"),
       critical: t("words.critical"),
       notANumber: t("words.notANumber"),
-      whichNumber: (thousand, one) => t("words.whichNumber", { thousand, one }),
+      whichNumber: t("words.whichNumber"),
       outOfRange: (minimum: string, maximum: string) => t("words.outOfRange", { minimum, maximum }),
       stillIs: (value: string) => t("words.stillIs", { value }),
       refusedEdit: (text: string, why: string) => t("words.refusedEdit", { text, why }),
+      openEdit: (label: string) => t("words.openEdit", { label }),
     }),
     [t, isPast],
   );

@@ -80,6 +80,7 @@ function HomeQuestion({ question: { file, count, ground_ft }, onAnswer, onClose 
         <>
           <Button onPress={onClose}>{t("dialog.cancel")}</Button>
           <Button
+            takesFields
             variant="primary"
             onPress={() => home_ft !== null && onAnswer(home_ft)}
             disabledReason={home_ft === null ? t("plans.homeFirst") : undefined}

@@ -33,6 +33,19 @@ test("a place typed in degrees, minutes and seconds, or in UTM, is the same plac
   expect(onCommit).toHaveBeenCalledTimes(2);
 });
 
+test("what is no place when the field is left is named, until something else is typed", async () => {
+  const { onCommit, field } = open();
+  await user.clear(field);
+  await user.type(field, "27.9 -15.x");
+  await user.tab();
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(field).toHaveProperty("value", "27.931900 -15.386600");
+  expect(screen.getByRole("status").textContent).toContain("w-refused 27.9 -15.x: No es un sitio");
+  await user.clear(field);
+  await user.type(field, "28 -15");
+  expect(screen.getByRole("status").textContent).not.toContain("w-refused");
+});
+
 test("it is shown as was chosen, and what is no place changes nothing and says so", async () => {
   const { onCommit, field } = open();
   await user.selectOptions(screen.getByLabelText("Notación"), "utm");

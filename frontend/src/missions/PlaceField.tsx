@@ -4,7 +4,10 @@ import { type CoordinateNotation, formatPlace, NOTATIONS, parsePlace } from "../
 import type { Position } from "../lib/geodesy";
 import { usePage, useSettings } from "../store/hooks";
 import { choose } from "../store/settings";
+import { useOpenEdit } from "../ui/openEdits";
+import { useRefuse } from "../ui/refusal";
 import { Select } from "../ui/Select";
+import { useWords } from "../ui/words";
 import "./place.css";
 
 const CHOICE = "plans.notation";
@@ -19,7 +22,7 @@ interface Props {
 
 /**
  * A waypoint's place in the notation that the person chose; typed in any of them. Enter and leaving the field finish an
- * edit, Escape takes it back, and what is no place is said and changes nothing.
+ * edit, Escape takes it back. What is no place changes nothing, which is said until something else is typed.
  */
 export function PlaceField({ place, fixed, onCommit }: Props) {
   const { t } = useTranslation();
@@ -29,10 +32,15 @@ export function PlaceField({ place, fixed, onCommit }: Props) {
   const notation = useSettings(
     ({ choices }): CoordinateNotation => NOTATIONS.find((known) => known === choices[CHOICE]) ?? "decimal",
   );
+  const words = useWords();
+  const tell = useRefuse();
   const [typed, setTyped] = useState<string | null>(null);
+  /** What was no place when the field was left. */
+  const [refused, setRefused] = useState<string | null>(null);
   const shown = place === null ? "" : formatPlace(place, notation);
   const found = typed === null ? null : parsePlace(typed);
   const isWrong = typed !== null && typed.trim() !== "" && found === null;
+  useOpenEdit(t("plans.place"), isWrong || refused !== null);
   const names: Readonly<Record<CoordinateNotation, string>> = {
     decimal: t("plans.notationDecimal"),
     dms: t("plans.notationDms"),
@@ -47,6 +55,15 @@ export function PlaceField({ place, fixed, onCommit }: Props) {
       });
     }
     setTyped(null);
+    setRefused(null);
+  }
+
+  function leave(): void {
+    finish();
+    if (isWrong) {
+      setRefused(typed);
+      tell(words.refusedEdit(typed, t("plans.noPlace")));
+    }
   }
 
   return (
@@ -64,11 +81,15 @@ export function PlaceField({ place, fixed, onCommit }: Props) {
         aria-invalid={isWrong || undefined}
         aria-describedby={note}
         value={typed ?? shown}
-        onChange={(event) => setTyped(event.currentTarget.value)}
-        onBlur={finish}
+        onChange={(event) => {
+          setTyped(event.currentTarget.value);
+          setRefused(null);
+        }}
+        onBlur={() => typed !== null && leave()}
         onKeyDown={(event) => {
           if (event.key === "Enter" && !isWrong) finish();
           else if (event.key === "Escape" && typed !== null) setTyped(null);
+          else if (event.key === "Escape" && refused !== null) setRefused(null);
           else return;
           event.preventDefault();
         }}
@@ -81,8 +102,12 @@ export function PlaceField({ place, fixed, onCommit }: Props) {
         onChange={(value) => choose(settings, CHOICE, value)}
         options={NOTATIONS.map((value) => ({ value, label: names[value] }))}
       />
-      <p id={note} className="place-note" role="status" data-wrong={isWrong}>
-        {isWrong ? t("plans.noPlace") : t("plans.placeHint")}
+      <p id={note} className="place-note" role="status" data-wrong={isWrong || refused !== null}>
+        {isWrong
+          ? t("plans.noPlace")
+          : refused === null
+            ? t("plans.placeHint")
+            : words.refusedEdit(refused, t("plans.noPlace"))}
       </p>
     </div>
   );

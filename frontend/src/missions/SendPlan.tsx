@@ -98,6 +98,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
         state={isFlying ? "pending" : state}
         stateText={isFlying ? t("rehearsal.flying") : stateText}
         disabledReason={isFlying ? t("rehearsal.flying") : disabledReason}
+        takesFields
         icon={<Upload aria-hidden="true" size={14} />}
       >
         {children}

@@ -1,4 +1,5 @@
 import { type ReactNode, useId } from "react";
+import { useEditsBlocked } from "./openEdits";
 import { usePress } from "./refusal";
 import { StateMark } from "./StateMark";
 import { Tooltip } from "./Tooltip";
@@ -22,13 +23,17 @@ interface Props {
   /** Accessible name, for a button with only an icon. */
   label?: string | undefined;
   type?: "button" | "submit" | undefined;
+  /** It acts on the fields of its form: not while the last edit of one of them was not taken. */
+  takesFields?: boolean | undefined;
 }
 
 /** A button that shows the outcome of its click, and why it is disabled. */
 export function Button(props: Props) {
-  const { children, onPress, variant = "plain", state = "idle", stateText, disabledReason } = props;
-  const { icon, pressed, label, type = "button" } = props;
+  const { children, onPress, variant = "plain", state = "idle", stateText } = props;
+  const { icon, pressed, label, type = "button", takesFields = false } = props;
   const words = useWords();
+  const openEdit = useEditsBlocked();
+  const disabledReason = props.disabledReason ?? (takesFields ? openEdit : undefined);
   const noteId = useId();
   const press = usePress(disabledReason);
   const disabled = disabledReason !== undefined;

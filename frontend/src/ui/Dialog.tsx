@@ -3,6 +3,7 @@ import { X } from "lucide-react";
 import { type ReactNode, useRef, useState } from "react";
 import { Notice } from "./Notice";
 import { useOpened } from "./openDialogs";
+import { EditScope } from "./openEdits";
 import { RefusalProvider, useRefuse } from "./refusal";
 import { useWords } from "./words";
 import "./Dialog.css";
@@ -65,14 +66,16 @@ export function Dialog(props: Props) {
             <Base.Description className="ui-dialog-description">{description}</Base.Description>
           )}
           <RefusalProvider value={refuseInFront}>
-            {children !== undefined && (
-              // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be in reach of the keyboard
-              <div ref={body} className="ui-dialog-body" tabIndex={0}>
-                {children}
-              </div>
-            )}
-            {refused !== null && <Notice level="warning">{refused}</Notice>}
-            {actions !== undefined && <footer className="ui-dialog-actions">{actions}</footer>}
+            <EditScope>
+              {children !== undefined && (
+                // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be in reach of the keyboard
+                <div ref={body} className="ui-dialog-body" tabIndex={0}>
+                  {children}
+                </div>
+              )}
+              {refused !== null && <Notice level="warning">{refused}</Notice>}
+              {actions !== undefined && <footer className="ui-dialog-actions">{actions}</footer>}
+            </EditScope>
           </RefusalProvider>
         </Base.Popup>
       </Base.Portal>

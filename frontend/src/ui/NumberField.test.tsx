@@ -2,7 +2,9 @@ import { fireEvent, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import type { ComponentProps } from "react";
 import { expect, test, vi } from "vitest";
+import { Button } from "./Button";
 import { NumberField } from "./NumberField";
+import { EditScope } from "./openEdits";
 import { RefusalProvider } from "./refusal";
 import { renderWithWords } from "./test/testWords";
 
@@ -191,3 +193,112 @@ test("why an edit was refused is also said where answers stand", async () => {
   expect(refuse).toHaveBeenCalledTimes(1);
   expect(refuse.mock.calls[0]?.[0]).toContain("1e9");
 });
+
+function askWhich(props: Partial<ComponentProps<typeof NumberField>> = {}) {
+  const drawn = draw({ value: 812, maximum: 60_000, ...props });
+  return { ...drawn, question: () => screen.queryByRole("group", { name: "w-which" }) };
+}
+
+test.each([
+  ["1,000", "1000", 1000],
+  ["1.000", "1", 1],
+  ["1.500", "1.5", 1.5],
+])(
+  "%s can be two numbers: the field asks, and the answer %s is what is sent",
+  async (text, answer, value) => {
+    const { onCommit, input, question } = askWhich();
+    await userEvent.clear(input);
+    await userEvent.type(input, `${text}{Enter}`);
+    expect(onCommit).not.toHaveBeenCalled();
+    expect(screen.getByRole("status").textContent).toBe("w-which w-still 812");
+    await userEvent.click(screen.getByRole("button", { name: answer }));
+    expect(onCommit.mock.calls).toEqual([[value]]);
+    expect(question()).toBeNull();
+    expect(document.activeElement).toBe(input);
+  },
+);
+
+test("a field that is left shows its value and goes on asking, by keyboard too", async () => {
+  const { onCommit, input } = askWhich({ unit: "ft" });
+  await userEvent.clear(input);
+  await userEvent.type(input, "1,000");
+  await userEvent.tab();
+  expect(input.value).toBe("812");
+  expect(document.activeElement).toBe(screen.getByRole("button", { name: "1000 ft" }));
+  await userEvent.keyboard("{Enter}");
+  expect(onCommit.mock.calls).toEqual([[1000]]);
+  expect(document.activeElement).toBe(input);
+});
+
+test("Escape and another number take the question away", async () => {
+  const { onCommit, input, question } = askWhich();
+  await userEvent.clear(input);
+  await userEvent.type(input, "1,000{Enter}{Escape}");
+  expect(question()).toBeNull();
+  await userEvent.clear(input);
+  await userEvent.type(input, "1,000{Enter}");
+  expect(question()).not.toBeNull();
+  await userEvent.clear(input);
+  await userEvent.type(input, "900{Enter}");
+  expect(question()).toBeNull();
+  expect(onCommit.mock.calls).toEqual([[900]]);
+});
+
+test("what the field itself showed is not asked about", async () => {
+  const { onCommit, input, question } = askWhich({ value: 1.25, format: (value) => value.toFixed(3) });
+  await userEvent.clear(input);
+  await userEvent.type(input, "1.250{Enter}");
+  expect(question()).toBeNull();
+  expect(onCommit).not.toHaveBeenCalled();
+});
+
+test("a field that shows another thing's number does not ask about the first one's", async () => {
+  const { input, question, again } = askWhich({ subject: "first" });
+  await userEvent.clear(input);
+  await userEvent.type(input, "1,000");
+  await userEvent.tab();
+  expect(question()).not.toBeNull();
+  again({ subject: "second" });
+  expect(question()).toBeNull();
+});
+
+function form() {
+  const onPress = vi.fn();
+  const refuse = vi.fn();
+  renderWithWords(
+    <RefusalProvider value={refuse}>
+      <EditScope>
+        <NumberField label="altitude" value={812} minimum={0} maximum={60_000} step={1} onCommit={vi.fn()} />
+        <Button takesFields onPress={onPress}>
+          fly
+        </Button>
+        <Button onPress={onPress}>cancel</Button>
+      </EditScope>
+    </RefusalProvider>,
+  );
+  const input = screen.getByRole<HTMLInputElement>("textbox", { name: "altitude" });
+  return {
+    onPress,
+    refuse,
+    input,
+    press: (name: string) => userEvent.click(screen.getByRole("button", { name })),
+  };
+}
+
+test.each(["1,000", "100000", "x"])(
+  "a form's button does not act on the old value when %s was typed and the button pressed at once",
+  async (text) => {
+    const { onPress, refuse, input, press } = form();
+    await userEvent.clear(input);
+    await userEvent.type(input, text);
+    await press("fly");
+    expect(onPress).not.toHaveBeenCalled();
+    expect(refuse).toHaveBeenLastCalledWith("w-open altitude");
+    await press("cancel");
+    expect(onPress).toHaveBeenCalledTimes(1);
+    await userEvent.clear(input);
+    await userEvent.type(input, "900");
+    await press("fly");
+    expect(onPress).toHaveBeenCalledTimes(2);
+  },
+);

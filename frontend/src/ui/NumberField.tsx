@@ -1,5 +1,6 @@
 import { Minus, Plus } from "lucide-react";
-import { useId } from "react";
+import { useId, useRef } from "react";
+import { NumberQuestion } from "./NumberQuestion";
 import { StateMark } from "./StateMark";
 import { Tooltip } from "./Tooltip";
 import { type NumberEditing, useNumberEdit } from "./useNumberEdit";
@@ -10,7 +11,6 @@ import "./Field.css";
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
 interface Props extends NumberEditing {
-  label: string;
   unit?: string | undefined;
   stateText?: string | undefined;
 }
@@ -25,8 +25,9 @@ export function NumberField(props: Props) {
   const words = useWords();
   const inputId = useId();
   const noteId = useId();
+  const input = useRef<HTMLInputElement>(null);
   const edit = useNumberEdit(props);
-  const { complaint, isInvalid, canStep } = edit;
+  const { complaint, isInvalid, canStep, question } = edit;
 
   const disabled = disabledReason !== undefined;
   // The outcome of an earlier number does not apply to the one that is typed, or was refused.
@@ -49,6 +50,7 @@ export function NumberField(props: Props) {
         />
         <Tooltip text={note}>
           <input
+            ref={input}
             id={inputId}
             className="ui-field-input ui-field-number"
             type="text"
@@ -73,6 +75,16 @@ export function NumberField(props: Props) {
       <span id={noteId} className={complaint === "" ? "visually-hidden" : "ui-field-complaint"} role="status">
         {note}
       </span>
+      {question !== null && (
+        <NumberQuestion
+          readings={question}
+          unit={unit}
+          onChoose={(value) => {
+            input.current?.focus();
+            edit.choose(value);
+          }}
+        />
+      )}
     </div>
   );
 }

@@ -28,13 +28,15 @@ export interface Words {
   /** A number field's complaint about text that is not a number. */
   notANumber: string;
   /** One mark and three digits behind it: which of two numbers is meant? */
-  whichNumber: (thousand: string, one: string) => string;
+  whichNumber: string;
   /** A number field's complaint about a number outside its range, which is given as text. */
   outOfRange: (minimum: string, maximum: string) => string;
   /** The value of a number field while another text is in it. */
   stillIs: (value: string) => string;
   /** A refused edit that is no longer shown. */
   refusedEdit: (text: string, why: string) => string;
+  /** Why a form's button waits: the field with this label has an edit that was not taken. */
+  openEdit: (label: string) => string;
 }
 
 const WordsContext = createContext<Words | null>(null);

@@ -5,6 +5,7 @@ import { useSentence } from "../../i18n/useSentence";
 import { useGatewayBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
 import { Notice } from "../../ui/Notice";
+import { EditScope } from "../../ui/openEdits";
 import { FieldForm } from "./FieldForm";
 import { FieldRow } from "./FieldRow";
 import { FIELD } from "./field";
@@ -45,7 +46,7 @@ export function FieldContent() {
           </ul>
         </section>
       )}
-      {known !== null && <FieldForm sources={known.sources} />}
+      <EditScope>{known !== null && <FieldForm sources={known.sources} />}</EditScope>
     </div>
   );
 }

@@ -118,6 +118,7 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
         disabledReason={order === null ? t("field.notYet") : undefined}
       />
       <Button
+        takesFields
         variant="primary"
         onPress={() => order !== null && void field.prepare(order, { control: CONTROL })}
         icon={<Download size={14} aria-hidden="true" />}

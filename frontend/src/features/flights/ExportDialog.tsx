@@ -40,7 +40,7 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
       actions={
         <>
           <Button onPress={onClose}>{t("flights.cancel")}</Button>
-          <Button variant="primary" onPress={start} disabledReason={unreachable ?? wrong}>
+          <Button takesFields variant="primary" onPress={start} disabledReason={unreachable ?? wrong}>
             {t("flights.exportStart")}
           </Button>
         </>

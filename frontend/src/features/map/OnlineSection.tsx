@@ -13,6 +13,7 @@ import { Checkbox } from "../../ui/Checkbox";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
+import { EditScope } from "../../ui/openEdits";
 import { MAP_LAYERS, useMapLayers } from "./layers/layerList";
 import { SourceForm } from "./layers/SourceForm";
 import { FoldingPanel } from "./panels/FoldingPanel";
@@ -87,11 +88,13 @@ function Online({ online }: { online: MapOnline }) {
           {t("map.online.restore", { name: removed.name })}
         </Button>
       )}
-      <SourceForm
-        taken={online.sources.map(({ id }) => id)}
-        blocked={blocked}
-        onAdd={(source) => put({ sources: [...online.sources, source] })}
-      />
+      <EditScope>
+        <SourceForm
+          taken={online.sources.map(({ id }) => id)}
+          blocked={blocked}
+          onAdd={(source) => put({ sources: [...online.sources, source] })}
+        />
+      </EditScope>
       <NumberField
         label={t("map.online.limit")}
         value={Math.round(online.limit_bytes / BYTES_PER_MB)}

@@ -1,6 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
+import { EditScope } from "../../ui/openEdits";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { FoldingPanel } from "./panels/FoldingPanel";
 import { CircuitForm } from "./patterns/CircuitForm";
@@ -30,7 +31,9 @@ export function PatternSection() {
         value={kind}
         onChange={(value) => choose(settings, KIND, value)}
       />
-      <Form aircraft={open} plan={plans[open]} />
+      <EditScope>
+        <Form aircraft={open} plan={plans[open]} />
+      </EditScope>
     </FoldingPanel>
   );
 }

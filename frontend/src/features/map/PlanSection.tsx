@@ -8,6 +8,7 @@ import { useUnit } from "../../readouts/useUnit";
 import { usePage, usePart, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
+import { EditScope } from "../../ui/openEdits";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
 import { FoldingPanel } from "./panels/FoldingPanel";
@@ -59,17 +60,19 @@ export function PlanSection() {
         onChange={(isOn) => choose(settings, `map.plan.${open}`, isOn ? "on" : "off")}
       />
       <PlanState plan={plan} />
-      <PlanTransfer aircraft={open} plan={plan} row={row} />
-      <WaypointChoice aircraft={open} plan={plan} row={row} />
-      {plan.isFixed && <p className="map-plan-state">{t("plans.fixed")}</p>}
-      {row !== null && !plan.isFixed && (
-        <WaypointEditor
-          aircraft={open}
-          waypoints={plan.waypoints}
-          row={row}
-          held={held?.plan === open && held.row === row ? held.to : null}
-        />
-      )}
+      <EditScope>
+        <PlanTransfer aircraft={open} plan={plan} row={row} />
+        <WaypointChoice aircraft={open} plan={plan} row={row} />
+        {plan.isFixed && <p className="map-plan-state">{t("plans.fixed")}</p>}
+        {row !== null && !plan.isFixed && (
+          <WaypointEditor
+            aircraft={open}
+            waypoints={plan.waypoints}
+            row={row}
+            held={held?.plan === open && held.row === row ? held.to : null}
+          />
+        )}
+      </EditScope>
       <Issues plan={plan} onGo={(at) => selectThing(selection, { kind: "waypoint", plan: open, row: at })} />
     </FoldingPanel>
   );

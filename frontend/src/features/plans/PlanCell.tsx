@@ -1,7 +1,6 @@
-import { type KeyboardEvent, useState } from "react";
-import { useTranslation } from "react-i18next";
-import { parseNumber, twoReadings } from "../../ui/number";
-import { useWords } from "../../ui/words";
+import { type KeyboardEvent, useRef } from "react";
+import { NumberQuestion } from "../../ui/NumberQuestion";
+import { type NumberEdit, useNumberEdit } from "../../ui/useNumberEdit";
 
 interface Props {
   label: string;
@@ -23,72 +22,76 @@ interface Props {
 
 const MOVES: Readonly<Record<string, -1 | 1>> = { ArrowUp: -1, ArrowDown: 1, Enter: 1 };
 
-/** A number in the plan's table. Enter and blur finish an edit, Escape cancels it. */
-export function PlanCell({
-  label,
-  text,
-  row,
-  field,
-  isReadOnly,
-  largest,
-  fault,
-  onCommit,
-  onMove,
-  onFocus,
-}: Props) {
-  const { t } = useTranslation();
-  const words = useWords();
-  const [draft, setDraft] = useState<string | null>(null);
-  const typed = draft === null ? null : parseNumber(draft);
-  const readings = draft === null || draft === text ? null : twoReadings(draft, -largest, largest);
-  const isNoNumber = draft !== null && draft.trim() !== "" && (typed === null || readings !== null);
+/**
+ * A number in the plan's table, typed as in every number field: Enter and blur finish an edit, Escape cancels it. One
+ * outside the board's range is taken, because the plan's faults say so of every number in it.
+ */
+export function PlanCell(props: Props) {
+  const { label, text, row, field, isReadOnly, largest, fault, onCommit, onMove, onFocus } = props;
+  const input = useRef<HTMLInputElement>(null);
+  const edit = useNumberEdit({
+    label,
+    value: text === "" ? null : Number(text),
+    minimum: -largest,
+    maximum: largest,
+    step: 1,
+    format: () => text,
+    onCommit,
+    subject: text,
+  });
+  const { complaint, question } = edit;
 
-  function finish(): void {
-    setDraft(null);
-    if (typed !== null && readings === null && draft !== text && typed !== Number(text)) {
-      onCommit(typed);
-    }
-  }
-
-  function onKeyDown(event: KeyboardEvent): void {
-    const by = MOVES[event.key];
-    if (event.altKey || event.ctrlKey || event.metaKey) {
-      // The table's own keys: finish the edit of this row before it moves.
-      if (event.altKey && !isNoNumber) finish();
-    } else if (event.key === "Escape") {
-      setDraft(null);
-      event.preventDefault();
-    } else if (by !== undefined) {
-      event.preventDefault();
-      if (!isNoNumber) {
-        finish();
-        onMove(by);
-      }
-    }
-  }
-
-  const question =
-    readings === null ? t("plans.notANumber") : words.whichNumber(readings.thousand, readings.one);
-  const complaint = isNoNumber ? question : fault;
   return (
-    <input
-      className="plans-input"
-      type="text"
-      inputMode="decimal"
-      autoComplete="off"
-      spellCheck={false}
-      readOnly={isReadOnly}
-      aria-label={label}
-      aria-invalid={complaint !== null || undefined}
-      title={complaint ?? undefined}
-      data-row={row}
-      data-field={field}
-      data-edited={draft !== null}
-      value={draft ?? text}
-      onChange={(event) => setDraft(event.currentTarget.value)}
-      onFocus={onFocus}
-      onBlur={finish}
-      onKeyDown={onKeyDown}
-    />
+    <>
+      <input
+        ref={input}
+        className="plans-input"
+        type="text"
+        inputMode="decimal"
+        autoComplete="off"
+        spellCheck={false}
+        readOnly={isReadOnly}
+        aria-label={label}
+        aria-invalid={complaint !== "" || fault !== null || undefined}
+        title={complaint || (fault ?? undefined)}
+        data-row={row}
+        data-field={field}
+        data-edited={edit.isEdited}
+        value={edit.shown}
+        onChange={(event) => edit.type(event.currentTarget.value)}
+        onFocus={onFocus}
+        onBlur={edit.leave}
+        onKeyDown={(event) => onCellKey(event, edit, onMove)}
+      />
+      {complaint !== "" && (
+        <span className="plans-complaint" role="status">
+          {complaint}
+        </span>
+      )}
+      {question !== null && (
+        <NumberQuestion
+          readings={question}
+          onChoose={(value) => {
+            input.current?.focus();
+            edit.choose(value);
+          }}
+        />
+      )}
+    </>
   );
+}
+
+function onCellKey(event: KeyboardEvent, edit: NumberEdit, onMove: Props["onMove"]): void {
+  const by = MOVES[event.key];
+  if (event.altKey) {
+    // The table's own keys: finish the edit of this row before it moves. A refused edit stays with its row.
+    if (!edit.finish()) event.stopPropagation();
+  } else if (event.ctrlKey || event.metaKey) {
+    return;
+  } else if (by !== undefined) {
+    event.preventDefault();
+    if (edit.finish() || !edit.isEdited) onMove(by);
+  } else if (event.key === "Escape" || event.key === "Tab") {
+    edit.onKeyDown(event);
+  }
 }

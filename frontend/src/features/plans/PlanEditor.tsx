@@ -13,6 +13,7 @@ import type { PlanName } from "../../protocol/missions";
 import { useAsked } from "../../requests/useAsked";
 import { usePart } from "../../store/hooks";
 import { Notice } from "../../ui/Notice";
+import { EditScope } from "../../ui/openEdits";
 import { PlanHead } from "./PlanHead";
 import { PlanIssues } from "./PlanIssues";
 import { PlanTable } from "./PlanTable";
@@ -22,6 +23,14 @@ import { useEditing } from "./useEditing";
 
 /** One of the two plans: its table, its map, what is wrong with it, and the ways to and from board and files. */
 export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
+  return (
+    <EditScope>
+      <Editor plan={plan} map={map} />
+    </EditScope>
+  );
+}
+
+function Editor({ plan, map }: { plan: PlanName; map: ReactNode }) {
   const { t } = useTranslation();
   const shown = usePlan(plan);
   const { waypoints } = shown;

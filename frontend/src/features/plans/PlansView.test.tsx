@@ -154,6 +154,20 @@ describe("an edit", () => {
     expect(altitudes()).toEqual(["700", "1000", "1000"]);
   });
 
+  test("with two readings asks in the cell, sends no plan meanwhile, and takes the answer", async () => {
+    await downloaded();
+    await write("altitude_ft", 0, "1.200");
+    await user.click(button("Enviar a la placa"));
+    expect(altitudes()).toEqual(["700", "1000", "1000"]);
+    expect(document.querySelector(".plans-complaint")?.textContent).toContain("w-which");
+    expect(button("Enviar a la placa").getAttribute("aria-disabled")).toBe("true");
+    expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);
+    await user.click(button("1200"));
+    expect(altitudes()).toEqual(["1200", "1000", "1000"]);
+    await sendFlown();
+    expect(newest("PUT", /flight$/).body).toMatchObject({ waypoints: [{ altitude_ft: 1200 }, {}, {}] });
+  });
+
   test("in another unit is kept in feet", async () => {
     await downloaded();
     act(() => {

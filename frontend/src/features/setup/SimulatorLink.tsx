@@ -13,6 +13,7 @@ import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
+import { EditScope } from "../../ui/openEdits";
 import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
@@ -28,7 +29,9 @@ export function SimulatorLink() {
   const { t } = useTranslation();
   return (
     <Panel title={t("setup.simulator")} className="setup-simulator">
-      <SimulatorForm />
+      <EditScope>
+        <SimulatorForm />
+      </EditScope>
       <SimulatorFacts />
     </Panel>
   );
@@ -122,6 +125,7 @@ function SimulatorForm() {
       </div>
       <div className="setup-buttons">
         <Button
+          takesFields
           variant={state === "closed" ? "primary" : "plain"}
           onPress={() => void actions.openSimulator({ ...link, send_host: host }, { control: "simulator" })}
           state={opening.wanted === "close" ? "idle" : opening.state}

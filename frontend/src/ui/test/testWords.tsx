@@ -23,10 +23,11 @@ export const WORDS: Words = {
   warning: "w-warning",
   critical: "w-critical",
   notANumber: "w-not-a-number",
-  whichNumber: (thousand, one) => `w-which ${thousand} ${one}`,
+  whichNumber: "w-which",
   outOfRange: (minimum, maximum) => `w-outside ${minimum} to ${maximum}`,
   stillIs: (value) => `w-still ${value}`,
   refusedEdit: (text, why) => `w-refused ${text}: ${why}`,
+  openEdit: (label) => `w-open ${label}`,
 };
 
 /**

@@ -73,6 +73,7 @@ export function SourceForm({ taken, blocked, onAdd }: Props) {
         onCommit={(value) => setDraft({ ...draft, maximum_zoom: Math.round(value) })}
       />
       <Button
+        takesFields
         onPress={() => {
           onAdd({ id, name: name.trim(), url: url.trim(), attribution: attribution.trim(), maximum_zoom });
           setDraft(EMPTY);

@@ -37,13 +37,18 @@ export function PatternButtons({ aircraft, plan, pattern, missing }: Props) {
       {warning !== undefined && <p className="map-plan-hint">{text(warning)}</p>}
       <div className="map-plan-buttons">
         <Button
+          takesFields
           variant="primary"
           onPress={() => (isUnsent ? setAsking(true) : pattern !== null && put(pattern, true))}
           disabledReason={reason(true)}
         >
           {t("map.pattern.replace")}
         </Button>
-        <Button onPress={() => pattern !== null && put(pattern, false)} disabledReason={reason(false)}>
+        <Button
+          takesFields
+          onPress={() => pattern !== null && put(pattern, false)}
+          disabledReason={reason(false)}
+        >
           {t("map.pattern.append")}
         </Button>
       </div>

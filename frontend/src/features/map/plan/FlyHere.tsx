@@ -90,10 +90,15 @@ function Question({ opened, plans, to, onClose }: Props) {
       actions={
         <>
           <Button onPress={onClose}>{t("dialog.cancel")}</Button>
-          <Button onPress={() => fly("stay")} disabledReason={blocked ?? fault("stay")}>
+          <Button takesFields onPress={() => fly("stay")} disabledReason={blocked ?? fault("stay")}>
             {t("map.fly.stay")}
           </Button>
-          <Button variant="primary" onPress={() => fly("goOn")} disabledReason={blocked ?? fault("goOn")}>
+          <Button
+            takesFields
+            variant="primary"
+            onPress={() => fly("goOn")}
+            disabledReason={blocked ?? fault("goOn")}
+          >
             {row === null ? t("map.fly.goOnNone") : t("map.fly.goOn", { number: row + 1 })}
           </Button>
         </>

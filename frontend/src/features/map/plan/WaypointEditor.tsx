@@ -68,6 +68,7 @@ function Fields({ aircraft, waypoints, row, waypoint }: Omit<Props, "held"> & { 
         step={step}
         format={(value) => value.toFixed(digits)}
         unit={unit === null ? t("unit.deg") : unit.label}
+        subject={waypoints[row]}
         onCommit={(value) =>
           editPlan(
             missions.plans,
