@@ -10,8 +10,8 @@ from epf_gcs.access.guessing import (
     TRIES_AT_ONCE,
     TRIES_PER_S,
     GuessLimiter,
-    group_of,
 )
+from epf_gcs.shares.holder import group_of
 
 
 def patient(guessing: GuessLimiter, address: str, tries: int, start_s: float = 0.0) -> float:

@@ -15,6 +15,7 @@ from websockets.sync.client import ClientConnection
 
 from epf_gcs.flight.flight import Flight
 from epf_gcs.logs import set_up_logging
+from epf_gcs.shares.table import SHARES, Shares
 from epf_gcs.web.server import Server
 from epf_gcs.web.serving.settings import Settings
 from epf_gcs.web.serving.visitors import Limits
@@ -150,14 +151,20 @@ class Stream:
 
 @contextmanager
 def running_gateway(
-    data_dir: Path, limits: Limits | None = None, *, recording: bool = True, board: str | None = None, **settings: Any
+    data_dir: Path,
+    limits: Limits | None = None,
+    *,
+    shares: Shares = SHARES,
+    recording: bool = True,
+    board: str | None = None,
+    **settings: Any,
 ) -> Iterator[Gateway]:
     """A running gateway, stopped at the end as by SIGTERM. With `limits`, it checks them more often than normal."""
     set_up_logging(verbose=False)
     flight = FlightThread(data_dir, record=recording, board_url=board)
     flight.start()
     chosen = Settings(data_dir=data_dir, port=0, **settings)
-    server = Server(chosen) if limits is None else Server(chosen, limits, look_every_s=0.02)
+    server = Server(chosen, limits, look_every_s=1.0 if limits is None else 0.02, shares=shares)
     thread = threading.Thread(target=server.serve_until_signal, name="web", daemon=True)
     thread.start()
     # Under TLS uvicorn has "started" a moment before the doorway listens.

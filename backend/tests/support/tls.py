@@ -20,6 +20,7 @@ from cryptography.hazmat.primitives.asymmetric import ec, rsa
 from cryptography.x509.oid import NameOID
 from websockets.sync.client import ClientConnection, connect
 
+from epf_gcs.shares.table import SHARES, Shares
 from epf_gcs.tls.keeper import Keeper
 from epf_gcs.web.serving.doorway import Doorway
 from epf_gcs.web.serving.handshakes import Handshakes
@@ -155,13 +156,14 @@ def open_door(
     encrypted: Callable[[], asyncio.Protocol] = lambda: Echo(b"encrypted "),
     plain: Callable[[], asyncio.Protocol] = lambda: Echo(b"plain "),
     limits: Limits | None = None,
+    shares: Shares = SHARES,
     listener: socket.socket | None = None,
     handshakes: Handshakes | None = None,
 ) -> Iterator[Door]:
     """A doorway to two protocols on a loop of LOOPS; everything that it reports to its loop fails the test."""
     loop = LOOPS[kind]()
     listener = listener or socket.create_server(("127.0.0.1", 0), backlog=512)
-    visitors = Visitors(limits or Limits())
+    visitors = Visitors(limits, shares)
     door = Door(loop, listener, visitors)
     faults: list[object] = []
     open_now: set[asyncio.Protocol] = set()

@@ -17,7 +17,7 @@ from math import ceil
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.access.caller import LOCAL, LOCAL_SESSION, Caller, Credentials, is_loopback
+from epf_gcs.access.caller import ANYONE, LOCAL, LOCAL_SESSION, Caller, Credentials, is_loopback
 from epf_gcs.access.guessing import GuessLimiter
 from epf_gcs.access.invitations import Invitations
 from epf_gcs.access.log import DeedLog
@@ -31,7 +31,6 @@ from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError, NotAdmittedError, NotKeptError, TooManyError
 from epf_gcs.repeating import repeat
 
-ANYONE: Final = "anyone"
 _LAUNCHER: Final = Caller("program", "launcher", "epf-run", Role.owner, LOCAL_SESSION)
 _WRITTEN_EVERY_S: Final = 60.0
 

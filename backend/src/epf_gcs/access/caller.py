@@ -15,6 +15,8 @@ from epf_gcs.access.socket_owner import UNTOLD, Connection, owner_of
 
 CallerKind = Literal["local", "person", "program"]
 
+ANYONE: Final = "anyone"
+"""Who asks without a key where anybody may fly."""
 LOCAL_SESSION: Final = "local"
 """The session of all pages and programs of this computer."""
 _ROOT: Final = 0
@@ -33,6 +35,11 @@ class Caller:
     name: str
     role: Role
     session: str
+
+    @property
+    def has_key(self) -> bool:
+        """Whether a key was shown, or none is needed on this computer; False where anybody may fly."""
+        return self.id != ANYONE
 
 
 LOCAL: Final = Caller("local", "local", "local", Role.owner, LOCAL_SESSION)

@@ -5,10 +5,11 @@ Pure: told the time. A right key is not asked about here: it enters at once, wha
 
 from __future__ import annotations
 
-import ipaddress
 from collections import OrderedDict
 from dataclasses import dataclass
 from typing import Final
+
+from epf_gcs.shares.holder import group_of
 
 FREE_FAILURES: Final = 4
 """Slips of the pen that cost nothing."""
@@ -18,7 +19,6 @@ MOST_ADDRESSES: Final = 4096
 TRIES_PER_S: Final = 2.0
 TRIES_AT_ONCE: Final = 30.0
 """Tries of all addresses together: so many at once, then so many a second."""
-_IPV6_NETWORK_BITS: Final = 64
 
 
 @dataclass(slots=True)
@@ -54,16 +54,3 @@ class GuessLimiter:
         if len(self._of) > MOST_ADDRESSES:
             self._of.popitem(last=False)
         return 0.0
-
-
-def group_of(address: str) -> str:
-    """What counts as one host: an IPv6 host has a whole network of addresses."""
-    try:
-        number = ipaddress.ip_address(address.partition("%")[0])
-    except ValueError:
-        return address
-    if number.version == 4:
-        return address
-    if number.ipv4_mapped is not None:
-        return str(number.ipv4_mapped)
-    return str(ipaddress.ip_network((number, _IPV6_NETWORK_BITS), strict=False))

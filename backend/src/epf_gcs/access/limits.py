@@ -7,11 +7,11 @@ from collections.abc import Callable
 from math import ceil
 from typing import Final, NamedTuple
 
-from epf_gcs.access.allowance import Allowance
 from epf_gcs.access.caller import LOCAL_SESSION, Caller
-from epf_gcs.access.guessing import group_of
 from epf_gcs.access.roles import Role
 from epf_gcs.errors import TooManyError
+from epf_gcs.shares.allowance import Allowance
+from epf_gcs.shares.holder import Standing, group_of
 
 MOST_REMEMBERED: Final = 4096
 _HOUR_S: Final = 3600.0
@@ -37,6 +37,11 @@ OF_ROLE: Final[dict[Role, RoleLimits]] = {
     Role.owner: RoleLimits(200.0, 12000.0, 16e9, 16),
 }
 UPLOADS_OF_ALL_BYTES_PER_H: Final = 32e9
+
+
+def standing_of(caller: Caller) -> Standing:
+    """Who goes first."""
+    return Standing.own if caller.session == LOCAL_SESSION else Standing(caller.role)
 
 
 class CallerLimits:

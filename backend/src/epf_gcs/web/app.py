@@ -56,7 +56,7 @@ from epf_gcs.web.serving.guard import Access, Entrance, Guard
 from epf_gcs.web.serving.page import install_page
 from epf_gcs.web.serving.problems import install_error_handlers
 from epf_gcs.web.serving.settings import Settings
-from epf_gcs.web.serving.visitors import Limits, Visitors
+from epf_gcs.web.serving.visitors import Visitors
 from epf_gcs.web.state.figures import WebFigures
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.station import Station
@@ -150,7 +150,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
     app.state.certificates = certificates
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
     install_error_handlers(app, errors)
-    app.include_router(_probes(app, settings, visitors or Visitors(Limits()), answers))
+    app.include_router(_probes(app, settings, visitors or Visitors(), answers))
     install_page(app, settings.page_dir or PAGE.folder)
     app.state.admission = admission
     app.state.limits = limits

@@ -17,6 +17,7 @@ from uvicorn.server import ServerState
 from epf_gcs.data_folder.whereabouts import Whereabouts, leave, take_back
 from epf_gcs.listening import listen
 from epf_gcs.repeating import keep_alive
+from epf_gcs.shares.table import SHARES, Shares, fitting
 from epf_gcs.system.limits import raise_open_files
 from epf_gcs.tls.keeper import Keeper
 from epf_gcs.watchdog import feed
@@ -26,7 +27,7 @@ from epf_gcs.web.serving.connection import Connection, watch
 from epf_gcs.web.serving.doorway import Doorway, Factory
 from epf_gcs.web.serving.redirect import Redirect
 from epf_gcs.web.serving.settings import Settings
-from epf_gcs.web.serving.visitors import Limits, Visitors, fitting
+from epf_gcs.web.serving.visitors import Limits, Visitors
 from epf_gcs.web.stream.socket import SocketConnection
 
 # How long another thread (one that reads a download) may hold the interpreter while the event loop waits for it.
@@ -38,8 +39,10 @@ log = structlog.get_logger("gateway")
 class Server(uvicorn.Server):
     """uvicorn with our connections and their limits; SIGHUP, as from a closed terminal, also shuts it down cleanly."""
 
-    def __init__(self, settings: Settings, limits: Limits | None = None, look_every_s: float = 1.0) -> None:
-        self.visitors = Visitors(limits or Limits())
+    def __init__(
+        self, settings: Settings, limits: Limits | None = None, look_every_s: float = 1.0, shares: Shares = SHARES
+    ) -> None:
+        self.visitors = Visitors(limits, shares)
         self._look_every_s = look_every_s
         self.certificates = keeper_of(settings)
         self._app = create_app(settings, self.visitors, self.certificates)
@@ -52,7 +55,7 @@ class Server(uvicorn.Server):
     def serve_until_signal(self) -> None:
         """Run until a signal. Raises LinkError before anything else is started if the port cannot be taken."""
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
-        self.visitors.limits = fitting(self.visitors.limits, raise_open_files())
+        self.visitors.share(fitting(self.visitors.shares, raise_open_files()))
         with self._listener() as listener:
             secure = self.certificates is not None
             port = listener.getsockname()[1]

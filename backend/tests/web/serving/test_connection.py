@@ -5,11 +5,15 @@ from __future__ import annotations
 import socket
 from collections.abc import Iterator
 from contextlib import ExitStack, closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from epf_gcs.access.roles import Role
+from epf_gcs.shares.table import SHARES, by_host
 from epf_gcs.web.serving.visitors import Limits
+from tests.support.callers import one_time_key, stranger
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.listening import everything
 from tests.support.maps import png, write_mbtiles
@@ -26,8 +30,6 @@ GET = b"GET /api/v1/status HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
 def quick(tmp_path: Path) -> Iterator[Gateway]:
     """One with little patience, and little room."""
     limits = Limits(
-        for_this_computer=12,
-        sockets_for_this_computer=3,
         head_s=0.3,
         head_bytes=8192,
         idle_s=1,
@@ -35,7 +37,12 @@ def quick(tmp_path: Path) -> Iterator[Gateway]:
         rate_looked_at_s=0.3,
         unread_s=0.3,
     )
-    with running_gateway(tmp_path / "data", limits) as running:
+    shares = replace(
+        SHARES,
+        connections=by_host(each=200, strangers=800, others=1000, own=12),
+        sockets=by_host(each=120, strangers=400, others=400, own=3),
+    )
+    with running_gateway(tmp_path / "data", limits, shares=shares) as running:
         yield running
 
 
@@ -156,3 +163,60 @@ def test_an_ordinary_body_is_taken_however_it_is_cut(quick: Gateway) -> None:
         for byte in body:
             made.send(bytes((byte,)))
         assert made.recv(12) == b"HTTP/1.1 200"
+
+
+ENTER = b"POST /api/v1/access/enter HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
+
+
+@pytest.fixture
+def strict(tmp_path: Path) -> Iterator[Gateway]:
+    """One that takes this computer for a stranger, with little room and, for strangers' bodies, little patience."""
+    limits = Limits(strangers_body_s=0.3)
+    shares = replace(SHARES, connections=by_host(each=200, strangers=800, others=1000, own=12))
+    with running_gateway(tmp_path / "data", limits, shares=shares, trust_this_computer=False) as running:
+        yield running
+
+
+def test_bodies_of_strangers_that_come_slowly_lock_nobody_out(tmp_path: Path) -> None:
+    shares = replace(SHARES, connections=by_host(each=200, strangers=800, others=1000, own=12))
+    with running_gateway(tmp_path, shares=shares, trust_this_computer=False) as station, ExitStack() as opened:
+        for _ in range(40):
+            made = opened.enter_context(closing(line(station)))
+            made.sendall(ENTER + b"Content-Length: 1000\r\n\r\n{")
+        guest = opened.enter_context(stranger(station))
+        body = {"key": one_time_key(station, Role.viewer), "name": "Ana"}
+        guest.post("/access/enter", json=body).raise_for_status()
+        assert len(station.server.visitors) <= 12
+
+
+def test_answers_that_strangers_do_not_read_lock_nobody_out(strict: Gateway) -> None:
+    with ExitStack() as opened:
+        for _ in range(40):
+            made = opened.enter_context(closing(socket.socket()))
+            made.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            made.connect(("127.0.0.1", strict.server.port))
+            made.sendall(b"GET /api/v1/access/me HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n" * 2000)
+        with stranger(strict) as guest:
+            body = {"key": one_time_key(strict, Role.viewer), "name": "Ana"}
+            guest.post("/access/enter", json=body).raise_for_status()
+
+
+def test_a_strangers_body_has_little_time_and_one_with_a_key_has_more(strict: Gateway) -> None:
+    with closing(line(strict)) as made, closing(line(strict)) as known:
+        with stranger(strict) as guest:
+            body = {"key": one_time_key(strict, Role.operator), "name": "Ana"}
+            guest.post("/access/enter", json=body).raise_for_status()
+            cookie = "; ".join(f"{name}={value}" for name, value in guest.cookies.items())
+        upload = f"POST /api/v1/map/imports?name=a.mbtiles HTTP/1.1\r\nHost: 127.0.0.1\r\nCookie: {cookie}\r\n"
+        known.sendall(upload.encode() + b"Content-Length: 3\r\n\r\nx")
+        made.sendall(ENTER + b"Content-Length: 100\r\n\r\n{")
+        assert everything(made).startswith(b"HTTP/1.1 408")
+        known.sendall(b"yz")
+        assert b"map_" in known.recv(65536), "it was read to its end, and is no map"
+
+
+@pytest.mark.parametrize(("size", "status"), [(1024, b"400"), (1025, b"413")])
+def test_a_strangers_body_is_short(strict: Gateway, size: int, status: bytes) -> None:
+    with closing(line(strict)) as made:
+        made.sendall(ENTER + b"Content-Length: %d\r\n\r\n" % size + b" " * size)
+        assert made.recv(12) == b"HTTP/1.1 " + status

@@ -7,10 +7,12 @@ import socket
 import ssl
 from collections.abc import Iterator
 from contextlib import ExitStack, closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from epf_gcs.shares.table import SHARES, by_host
 from epf_gcs.tls.context import make_context
 from epf_gcs.web.serving.visitors import Limits
 from tests.support.listening import everything
@@ -124,8 +126,8 @@ def test_a_client_that_does_not_trust_the_certificate_is_counted_and_others_come
 
 
 def test_500_half_open_handshakes_lock_nobody_out(kind: str, context: ssl.SSLContext) -> None:
-    limits = Limits(for_this_computer=100)
-    with open_door(kind, context, limits=limits) as door, ExitStack() as opened:
+    shares = replace(SHARES, connections=by_host(each=200, strangers=800, others=1000, own=100))
+    with open_door(kind, context, shares=shares) as door, ExitStack() as opened:
         for number in range(500):
             made = opened.enter_context(closing(door.connect()))
             made.sendall(HELLO if number % 2 else b"")
@@ -137,9 +139,9 @@ def test_500_half_open_handshakes_lock_nobody_out(kind: str, context: ssl.SSLCon
 
 
 def test_at_the_limit_the_longest_waiting_one_makes_room(kind: str, context: ssl.SSLContext) -> None:
-    limits = Limits(for_this_computer=2)
+    shares = replace(SHARES, connections=by_host(each=200, strangers=800, others=1000, own=2))
     with (
-        open_door(kind, context, limits=limits) as door,
+        open_door(kind, context, shares=shares) as door,
         closing(door.connect()) as first,
         closing(door.connect()) as second,
     ):
@@ -179,7 +181,8 @@ def test_the_listening_socket_outlives_the_doorway(kind: str, context: ssl.SSLCo
 
 def test_nothing_is_left_of_those_that_were_ended(kind: str, context: ssl.SSLContext) -> None:
     """No descriptor is closed twice or left open: both would show here, or as a warning."""
-    with open_door(kind, context, limits=Limits(for_this_computer=5, handshake_s=0.3)) as door:
+    shares = replace(SHARES, connections=by_host(each=200, strangers=800, others=1000, own=5))
+    with open_door(kind, context, limits=Limits(handshake_s=0.3), shares=shares) as door:
         for number in range(40):
             with closing(door.connect()) as made:
                 made.sendall((b"", HELLO, b"plain")[number % 3])

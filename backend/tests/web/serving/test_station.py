@@ -16,6 +16,7 @@ import httpx
 import pytest
 from cryptography import x509
 
+from epf_gcs.shares.holder import Standing
 from epf_gcs.tls import keeper as keeper_module
 from epf_gcs.web.interface.tls.routes import MEDIA_TYPE
 from tests.support.gateway import Gateway, running_gateway
@@ -203,7 +204,7 @@ def test_connections_that_never_finish_their_handshake_hurt_nobody(secure: Gatew
                 halves.append(half)
             stream.send({"type": "rate", "rate": 30})
             assert secure.http.get("/status").status_code == 200
-            assert len(secure.server.visitors) <= secure.server.visitors.limits.for_this_computer
+            assert len(secure.server.visitors) <= secure.server.visitors.shares.connections.parts[Standing.own].each
             stream.next("status")
     finally:
         for half in halves:

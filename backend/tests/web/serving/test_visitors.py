@@ -3,28 +3,36 @@
 from __future__ import annotations
 
 import resource
+from dataclasses import replace
 
 import pytest
 
 from epf_gcs.errors import ConflictError
+from epf_gcs.shares.holder import Standing, is_this_computer
+from epf_gcs.shares.known_hosts import FORGOTTEN_S
+from epf_gcs.shares.table import SHARES, by_host, fitting
 from epf_gcs.system.limits import raise_open_files
 from epf_gcs.web.serving.uploads import FROM_ELSEWHERE, PER_HOST, Uploads
-from epf_gcs.web.serving.visitors import Limits, Visitors, fitting, is_this_computer
+from epf_gcs.web.serving.visitors import Visitors
 
-LIMITS = Limits(
-    connections=6,
-    connections_per_host=3,
-    for_this_computer=2,
-    sockets=3,
-    sockets_per_host=2,
-    sockets_for_this_computer=2,
+PER_HOST_HERE = 3
+FEW = replace(
+    SHARES,
+    connections=by_host(each=PER_HOST_HERE, strangers=6, others=8, own=2),
+    sockets=by_host(each=2, strangers=3, others=3, own=2),
 )
 
 
 class Visitor:
-    def __init__(self, host: str, idle_since_s: float | None = None) -> None:
+    """One that is busy for so long, or idle; it has shown a key, or not."""
+
+    def __init__(
+        self, host: str, idle_since_s: float | None = None, *, since_s: float = 0.0, has_shown_key: bool = True
+    ) -> None:
         self.host = host
         self.idle_since_s = idle_since_s
+        self.since_s = since_s if idle_since_s is None else idle_since_s
+        self.has_shown_key = has_shown_key
         self.ended = False
 
     def make_room(self) -> None:
@@ -32,8 +40,13 @@ class Visitor:
 
 
 @pytest.fixture
-def visitors() -> Visitors:
-    return Visitors(LIMITS)
+def now_s() -> list[float]:
+    return [0.0]
+
+
+@pytest.fixture
+def visitors(now_s: list[float]) -> Visitors:
+    return Visitors(shares=FEW, now_s=lambda: now_s[0])
 
 
 def test_a_host_that_holds_many_gives_up_the_one_that_was_idle_longest(visitors: Visitors) -> None:
@@ -41,7 +54,7 @@ def test_a_host_that_holds_many_gives_up_the_one_that_was_idle_longest(visitors:
     assert all(visitors.come_in(one) for one in own)
     assert visitors.come_in(Visitor("10.0.0.1", 9.0))
     assert [one.ended for one in own] == [False, True, False]
-    assert len(visitors) == LIMITS.connections_per_host
+    assert len(visitors) == PER_HOST_HERE
 
 
 @pytest.mark.parametrize("address", ["2001:db8::{:x}", "fe80::{:x}%eth0"])
@@ -59,7 +72,7 @@ def test_a_network_of_addresses_is_one_host(visitors: Visitors, address: str) ->
             pass
 
 
-def test_who_is_at_work_is_not_sent_away(visitors: Visitors) -> None:
+def test_who_has_shown_a_key_and_is_at_work_is_not_sent_away(visitors: Visitors) -> None:
     busy = [Visitor("10.0.0.1") for _ in range(3)]
     assert all(visitors.come_in(one) for one in busy)
     assert not visitors.come_in(Visitor("10.0.0.1"))
@@ -77,6 +90,48 @@ def test_when_all_is_full_the_host_with_most_makes_room(visitors: Visitors) -> N
     assert visitors.come_in(Visitor("10.0.0.5"))
     assert [one.ended for one in many].count(True) == 1
     assert not any(one.ended for one in few)
+
+
+def test_a_connection_that_has_shown_no_key_makes_room_whatever_it_is_doing(visitors: Visitors) -> None:
+    slow = [Visitor(f"10.0.0.{number // 3}", since_s=5.0 - number, has_shown_key=False) for number in range(6)]
+    assert all(visitors.come_in(one) for one in slow)
+    assert visitors.come_in(Visitor("10.0.0.9", has_shown_key=False))
+    assert [one.ended for one in slow] == [False, False, True, False, False, False]
+
+
+def test_who_waits_goes_before_who_is_busy_and_a_stranger_before_both_with_a_key(visitors: Visitors) -> None:
+    keyed = Visitor("10.0.0.1", 1.0)
+    busy = Visitor("10.0.0.1", since_s=1.0, has_shown_key=False)
+    idle = Visitor("10.0.0.1", 9.0, has_shown_key=False)
+    assert all(visitors.come_in(one) for one in (keyed, busy, idle))
+    for goes in (idle, busy, keyed):
+        assert not goes.ended
+        assert visitors.come_in(Visitor("10.0.0.1"))
+        assert goes.ended
+
+
+def test_hosts_where_a_key_was_shown_have_places_that_strangers_cannot_take(
+    visitors: Visitors, now_s: list[float]
+) -> None:
+    visitors.know("10.0.0.9", Standing.viewer)
+    strangers = [Visitor(f"10.0.0.{number}") for number in range(6)]
+    assert all(visitors.come_in(one) for one in strangers)
+    assert not visitors.come_in(Visitor("10.0.0.8")), "the strangers' share is full"
+    now_s[0] = FORGOTTEN_S
+    assert visitors.come_in(Visitor("10.0.0.9"))
+    assert not any(one.ended for one in strangers)
+    now_s[0] = FORGOTTEN_S + 1
+    assert not visitors.come_in(Visitor("10.0.0.9")), "it was long ago"
+
+
+def test_a_host_where_a_key_was_shown_makes_no_room_for_strangers(visitors: Visitors) -> None:
+    visitors.know("10.0.0.9", Standing.owner)
+    known = [Visitor("10.0.0.9", 1.0, has_shown_key=False) for _ in range(3)]
+    strangers = [Visitor(f"10.0.0.{number}", 5.0, has_shown_key=False) for number in range(6)]
+    assert all(visitors.come_in(one) for one in (*known, *strangers[:5]))
+    for _ in range(4):
+        assert visitors.come_in(Visitor("10.0.0.7", 5.0, has_shown_key=False))
+    assert not any(one.ended for one in known)
 
 
 def test_this_computer_comes_in_however_many_others_there_are(visitors: Visitors) -> None:
@@ -102,9 +157,10 @@ def test_streams_have_shares_too(visitors: Visitors) -> None:
 
 @pytest.mark.parametrize("descriptors", [256, 1024, 1500, 20000])
 def test_there_are_never_more_connections_than_descriptors(descriptors: int) -> None:
-    found = fitting(Limits(), descriptors)
-    assert found.connections + found.for_this_computer < descriptors - 100
-    assert min(found.connections, found.for_this_computer, found.connections_per_host) > 10
+    """Each may need two: its socket, and the file that is sent over it."""
+    found = fitting(SHARES, descriptors).connections
+    assert 2 * found.all <= max(100, descriptors - 200)
+    assert all(min(part) > 10 for part in found.parts.values())
 
 
 def test_what_the_system_allows_is_taken() -> None:

@@ -14,7 +14,7 @@ import orjson
 import pytest
 from websockets.sync.client import connect
 
-from epf_gcs.access.allowance import Allowance
+from epf_gcs.shares.allowance import Allowance
 from epf_gcs.web.stream.socket import BYTES_PER_TURN, PINGS_PER_S
 from tests.support.gateway import Gateway
 from tests.support.waiting import DEADLINE_S

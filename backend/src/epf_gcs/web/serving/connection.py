@@ -14,7 +14,7 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResp
 
 from epf_gcs.access.admission import Admission
 from epf_gcs.access.caller import Caller, Credentials, Peer
-from epf_gcs.access.limits import CallerLimits
+from epf_gcs.access.limits import CallerLimits, standing_of
 from epf_gcs.errors import GatewayError
 from epf_gcs.repeating import repeat
 from epf_gcs.web.serving.access_table import STREAMS
@@ -23,7 +23,11 @@ from epf_gcs.web.serving.problems import problem_of
 from epf_gcs.web.serving.visitors import Visitor, Visitors
 from epf_gcs.web.stream.socket import SocketConnection
 
-_BUSY: Final = b"503 Service Unavailable", b"This station has too many connections: close some, then try again.\n"
+_BUSY: Final = (
+    b"503 Service Unavailable",
+    "This station has too many connections: close some, then try again.\n"
+    "Esta estación tiene demasiadas conexiones: cierra alguna y vuelve a intentarlo.\n".encode(),
+)
 _SLOW_HEAD: Final = b"408 Request Timeout", b"The request's head did not come in time.\n"
 _SLOW_BODY: Final = b"408 Request Timeout", b"The request's body comes too slowly.\n"
 _LONG_HEAD: Final = b"431 Request Header Fields Too Large", b"The request's head is too long.\n"
@@ -40,9 +44,12 @@ class Connection(HttpToolsProtocol):
         self._arrival = arrival
         self.host = ""
         self.idle_since_s: float | None = None
+        self.since_s = 0.0
+        self.has_shown_key = False
+        self._is_strangers = True
         self._visitors = visitors
         self._stage: Literal["head", "body", "answer"] = "head"
-        self._since_s = 0.0
+        self._rate_since_s = 0.0
         self._head_bytes = 0
         self._body_bytes = 0
         self._unread: tuple[int, float] = (0, 0.0)
@@ -81,7 +88,7 @@ class Connection(HttpToolsProtocol):
     def on_message_begin(self) -> None:
         """A request begins."""
         super().on_message_begin()
-        cast(Any, self.scope)["state"]["peer"] = self._peer
+        cast(Any, self.scope)["state"].update(peer=self._peer, connection=self)
         if self._stage == "head":
             # The time for the head starts with the connection, or for later requests with their first byte.
             if self._was_asked:
@@ -93,7 +100,7 @@ class Connection(HttpToolsProtocol):
         self._stage = "body"
         self._was_asked = True
         self.idle_since_s = None
-        self._since_s = self.loop.time()
+        self.since_s = self._rate_since_s = self.loop.time()
         self._body_bytes = 0
         super().on_headers_complete()
 
@@ -105,6 +112,7 @@ class Connection(HttpToolsProtocol):
     def on_message_complete(self) -> None:
         """The whole request arrived."""
         self._stage = "answer"
+        self.since_s = self.loop.time()
         super().on_message_complete()
         if self._is_answered():  # refused before the whole body arrived
             self._enter_head()
@@ -121,13 +129,22 @@ class Connection(HttpToolsProtocol):
         """Hand the transport to a WebSocket, if its caller may open one."""
         self.idle_since_s = None
         self._stage = "answer"
+        self.since_s = self.loop.time()
         shown = Credentials.of(self.scope["headers"], self._peer)
         try:
             caller = self._admission.admit(shown)
         except GatewayError as error:
             self._refuse(error)
             return
+        self.show(caller)
         self._upgrade(caller)
+
+    def show(self, caller: Caller | None) -> None:
+        """Whose request this is; None: a stranger's. Called by the guard."""
+        self._is_strangers = caller is None
+        self.has_shown_key = caller is not None and caller.has_key
+        if caller is not None and caller.has_key:
+            self._visitors.know(self.host, standing_of(caller))
 
     @property
     def _admission(self) -> Admission:
@@ -182,7 +199,7 @@ class Connection(HttpToolsProtocol):
         )
 
     def make_room(self) -> None:
-        """Close an idle connection without an answer; the browser opens a new one when it needs it."""
+        """Close without an answer; the browser opens a new connection when it needs one."""
         self.transport.abort()
 
     def look(self, now_s: float) -> None:
@@ -192,7 +209,7 @@ class Connection(HttpToolsProtocol):
         limits = self._visitors.limits
         if self._stage == "head":
             # Between requests uvicorn closes idle connections, except those that send bare line ends and no request.
-            if now_s - self._since_s > limits.head_s + (limits.idle_s if self._is_between else 0.0):
+            if now_s - self.since_s > limits.head_s + (limits.idle_s if self._is_between else 0.0):
                 self._end(*_SLOW_HEAD)
         elif self._stage == "body":
             self._look_at_body(now_s)
@@ -201,13 +218,15 @@ class Connection(HttpToolsProtocol):
 
     def _look_at_body(self, now_s: float) -> None:
         limits = self._visitors.limits
-        if self.flow.read_paused:
+        if self._is_strangers and now_s - self.since_s > limits.strangers_body_s:
+            self._end(*_SLOW_BODY)
+        elif self.flow.read_paused:
             # The disk is slow, not the browser: restart the measurement.
-            self._since_s, self._body_bytes = now_s, 0
-        elif now_s - self._since_s > limits.rate_looked_at_s:
+            self._rate_since_s, self._body_bytes = now_s, 0
+        elif now_s - self._rate_since_s > limits.rate_looked_at_s:
             if self._body_bytes < limits.least_bytes_per_s * limits.rate_looked_at_s:
                 self._end(*_SLOW_BODY)
-            self._since_s, self._body_bytes = now_s, 0
+            self._rate_since_s, self._body_bytes = now_s, 0
 
     def _look_at_answer(self, now_s: float) -> None:
         unsent = self.transport.get_write_buffer_size()
@@ -218,7 +237,7 @@ class Connection(HttpToolsProtocol):
 
     def _enter_head(self) -> None:
         self._stage = "head"
-        self._since_s = self.idle_since_s = self.loop.time()
+        self.since_s = self.idle_since_s = self.loop.time()
         self._head_bytes = 0
 
     def _is_answered(self) -> bool:

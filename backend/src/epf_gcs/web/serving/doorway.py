@@ -117,7 +117,9 @@ class Arrival:
 
     def __init__(self, doorway: Doorway, connection: socket.socket, host: str) -> None:
         self.host = host
-        self.idle_since_s: float | None = doorway.loop.time()
+        self.since_s = doorway.loop.time()
+        self.idle_since_s: float | None = self.since_s
+        self.has_shown_key = False
         self.task: asyncio.Task[None] | None = None
         self._doorway = doorway
         self._connection = connection

@@ -201,7 +201,7 @@ class Guard:
         if scope["path"] in self._bodies.streamed:
             await self._stream(caller, scope, receive, send)
             return
-        most_bytes = self._bodies.longer.get(scope["path"], self._bodies.most_bytes)
+        most_bytes = self._bodies.of(scope["path"], is_strangers=caller is None)
         body = await _read_body(receive, most_bytes)
         if body is None:
             too_large = GatewayError(
@@ -223,6 +223,8 @@ class Guard:
         if least != OPEN:
             admitted(caller, least)
         self._limits.request(caller, shown.peer.host)
+        if (connection := state.get("connection")) is not None:
+            connection.show(caller)
         state["caller"] = caller
         state["shown"] = shown
         return caller, entry

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections import OrderedDict
 from typing import Final
 
-from epf_gcs.access.allowance import Allowance
-from epf_gcs.access.guessing import group_of
-from epf_gcs.web.serving.visitors import is_this_computer
+from epf_gcs.shares.allowance import Allowance
+from epf_gcs.shares.holder import group_of, is_this_computer
 
 PER_S: Final = 10.0
 AT_ONCE: Final = 300.0

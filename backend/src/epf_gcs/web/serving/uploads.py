@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Final
 
 from epf_gcs.errors import ConflictError
-from epf_gcs.web.serving.visitors import host_of
+from epf_gcs.shares.holder import host_of
 
 PER_HOST: Final = 3
 FROM_ELSEWHERE: Final = 4

@@ -21,9 +21,9 @@ from websockets.protocol import State
 from websockets.server import ServerProtocol
 from websockets.utils import apply_mask
 
-from epf_gcs.access.allowance import Allowance
 from epf_gcs.access.caller import Caller
 from epf_gcs.repeating import Repeating
+from epf_gcs.shares.allowance import Allowance
 from epf_gcs.web.stream.handshake import Refusal, address_parts
 
 _MAX_MESSAGE_BYTES: Final = 16384

@@ -9,8 +9,8 @@ from typing import Annotated, Final, Literal
 from fastapi import APIRouter, Path, Query, Request, Response, status
 
 from epf_gcs.access.addresses import addresses, is_of_this_computer_alone, qr_svg, qr_svg_of_plain, with_key
-from epf_gcs.access.admission import ANYONE, Admission
-from epf_gcs.access.caller import Caller, Credentials
+from epf_gcs.access.admission import Admission
+from epf_gcs.access.caller import ANYONE, Caller, Credentials
 from epf_gcs.access.roles import Role, name_of
 from epf_gcs.access.store import Invitation, Person, Program, Session
 from epf_gcs.errors import ConflictError, InvalidInputError
