@@ -108,6 +108,26 @@ def test_zeros_after_a_power_cut_are_cut_off(tmp_path: Path) -> None:
     assert path.read_bytes() == data + end
 
 
+@pytest.mark.parametrize("torn_at", range(1, 8))
+def test_a_last_message_whose_end_became_zeros_is_not_taken_for_one(tmp_path: Path, torn_at: int) -> None:
+    """A power cut leaves zeros from some byte on; a datagram has no checksum that would tell."""
+    data, _, _ = a_recording([b"one", b"datagram"])
+    whole, end, _ = a_recording([b"one"])
+    path = tmp_path / NAME
+    path.write_bytes(data[: torn_at - 8] + bytes(5000))
+    repair(path)
+    assert path.read_bytes() == whole + end
+
+
+def test_a_message_that_ends_in_zeros_stays_where_another_follows_or_the_file_just_ends(tmp_path: Path) -> None:
+    path = tmp_path / NAME
+    for behind, said in (([b"two"], bytes(100)), ([], b"")):
+        data, end, _ = a_recording([b"one", b"zeros\0\0", *behind])
+        path.write_bytes(data + said)
+        repair(path)
+        assert path.read_bytes() == data + end
+
+
 def test_a_whole_file_is_not_touched(tmp_path: Path) -> None:
     data, end, _ = a_recording([b"one"])
     path = tmp_path / NAME

@@ -7,7 +7,7 @@ import re
 import struct
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from struct import Struct
 from typing import BinaryIO, Final
@@ -44,6 +44,30 @@ class _FileExtent:
     end: int
     topics: dict[int, str] = field(default_factory=dict)
     tally: Tally = field(default_factory=Tally)
+    _torn: tuple[int, Tally] | None = None
+
+    def take(self, opcode: int, body: bytes) -> None:
+        """A whole record. Raises struct.error and UnicodeDecodeError."""
+        self._torn = None
+        if opcode == Opcode.MESSAGE:
+            channel, _, time_ns, _ = _MESSAGE.unpack_from(body)
+            if body.endswith(b"\0"):
+                self._torn = self.end, replace(self.tally, counts=dict(self.tally.counts))
+            self.tally.add(channel, time_ns)
+        elif opcode == Opcode.METADATA:
+            self.tally.metadata_count += 1
+        elif opcode == Opcode.CHANNEL:
+            number, _, length = _CHANNEL.unpack_from(body)
+            self.topics[number] = body[_CHANNEL.size : _CHANNEL.size + length].decode()
+        self.end += _HEAD.size + len(body)
+
+    def drop_torn(self) -> None:
+        """Zeros follow, as a power cut leaves them: a last message that ends in zeros may have lost its end to them.
+
+        A frame has a checksum that tells, a datagram has none.
+        """
+        if self._torn is not None:
+            self.end, self.tally = self._torn
 
 
 def recordings_in(folder: Path) -> list[Path]:
@@ -114,32 +138,21 @@ def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Fi
             return found  # only the summary is incomplete
         if opcode not in _KNOWN or length > _LONGEST:
             _check_is_blank(head, file)
+            found.drop_torn()
             return found
         body = file.read(length)
         if len(body) < length:
             return found
         try:
-            _take(found, opcode, body)
+            found.take(opcode, body)
         except (struct.error, UnicodeDecodeError) as error:
             raise BeyondRepairError("there is a record in it that makes no sense") from error
-        found.end += _HEAD.size + length
         count += 1
         if count % _BURST == 0:
             if is_over():
                 return None
             time.sleep(_REST_S)
     return found
-
-
-def _take(found: _FileExtent, opcode: int, body: bytes) -> None:
-    if opcode == Opcode.MESSAGE:
-        channel, _, time_ns, _ = _MESSAGE.unpack_from(body)
-        found.tally.add(channel, time_ns)
-    elif opcode == Opcode.METADATA:
-        found.tally.metadata_count += 1
-    elif opcode == Opcode.CHANNEL:
-        number, _, length = _CHANNEL.unpack_from(body)
-        found.topics[number] = body[_CHANNEL.size : _CHANNEL.size + length].decode()
 
 
 def _check_is_blank(head: bytes, file: BinaryIO) -> None:
