@@ -23,6 +23,7 @@ MODULES = (
     "hil",
     "control",
     "strangers",
+    "shares",
     "terrain",
     "besieged",
     "kill",

@@ -23,7 +23,6 @@ from websockets.sync.client import ClientConnection, connect
 from epf_gcs.shares.table import SHARES, Shares
 from epf_gcs.tls.keeper import Keeper
 from epf_gcs.web.serving.doorway import Doorway
-from epf_gcs.web.serving.handshakes import Handshakes
 from epf_gcs.web.serving.visitors import Limits, Visitor, Visitors
 from tests.support.waiting import DEADLINE_S, eventually_async
 
@@ -158,7 +157,6 @@ def open_door(
     limits: Limits | None = None,
     shares: Shares = SHARES,
     listener: socket.socket | None = None,
-    handshakes: Handshakes | None = None,
 ) -> Iterator[Door]:
     """A doorway to two protocols on a loop of LOOPS; everything that it reports to its loop fails the test."""
     loop = LOOPS[kind]()
@@ -192,9 +190,7 @@ def open_door(
 
     async def serve() -> None:
         asker = context if callable(context) else lambda: context
-        doorway = Doorway(
-            listener, asker, handed_over(encrypted), handed_over(plain), visitors=visitors, handshakes=handshakes
-        )
+        doorway = Doorway(listener, asker, handed_over(encrypted), handed_over(plain), visitors=visitors)
         ready.set()
         await end.wait()
         doorway.close()

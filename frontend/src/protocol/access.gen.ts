@@ -78,7 +78,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/hil", method: "PUT", tag: "commands", least: "operator", control: true },
   { path: "/inspector", method: "GET", tag: "inspector", least: "viewer", control: false },
   { path: "/jobs", method: "GET", tag: "flights", least: "viewer", control: false },
-  { path: "/jobs/{job_id}", method: "DELETE", tag: "flights", least: "operator", control: false },
+  { path: "/jobs/{job_id}", method: "DELETE", tag: "flights", least: "viewer", control: false },
   { path: "/jobs/{job_id}", method: "GET", tag: "flights", least: "viewer", control: false },
   { path: "/jobs/{job_id}/result", method: "GET", tag: "flights", least: "viewer", control: false },
   { path: "/links/board", method: "DELETE", tag: "links", least: "operator", control: true },

@@ -30,6 +30,10 @@ from epf_gcs.access.store_thread import StoreThread
 from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError, NotAdmittedError, NotKeptError, TooManyError
 from epf_gcs.repeating import repeat
+from epf_gcs.shares.holder import Holder, Standing
+from epf_gcs.shares.known_hosts import KnownHosts
+from epf_gcs.shares.rates import Meter
+from epf_gcs.shares.table import SHARES, Shares
 
 _LAUNCHER: Final = Caller("program", "launcher", "epf-run", Role.owner, LOCAL_SESSION)
 _WRITTEN_EVERY_S: Final = 60.0
@@ -59,11 +63,24 @@ def is_this_computers(host: str) -> bool:
 class Admission:
     """Owned by the event loop. Empty until `running`, so that the interface can be described without a data folder."""
 
-    def __init__(self, policy: Policy, data_dir: Path, report: Callable[[GatewayError], None], clock: Clock) -> None:
+    def __init__(
+        self,
+        policy: Policy,
+        data_dir: Path,
+        report: Callable[[GatewayError], None],
+        clock: Clock,
+        *,
+        hosts: KnownHosts | None = None,
+        shares: Shares = SHARES,
+    ) -> None:
+        """`hosts`: where somebody has shown a key; who was in before a restart makes known where from."""
         self.policy = policy
         self._data_dir = data_dir
         self._report = report
         self.clock = clock
+        self._hosts = hosts or KnownHosts()
+        self._shares = shares
+        self._asks = Meter(shares.asks)
         self.port = 0
         self.is_secure = False
         self._opened = False
@@ -88,7 +105,10 @@ class Admission:
         self.store = self._open_store()
         self.thread = StoreThread()
         self.guessing = GuessLimiter()
-        self.sessions = Sessions(self.store.all(Person), self.store.all(Session))
+        self.sessions = Sessions(self.store.all(Person), self.store.all(Session), self._shares, self._host)
+        for session in self.sessions.all():
+            if (caller := self.sessions.current(session.id)) is not None:
+                self._hosts.note(session.address, Standing(caller.role), time.monotonic())
         self.sessions.on_ended = self._tell_ended
         self.sessions.on_changed = self._tell_changed
         self.programs = Programs(self.store.all(Program))
@@ -103,7 +123,7 @@ class Admission:
         finally:
             self._opened = False
             writing.cancel()
-            self._write_all([], self.sessions.take_unwritten(), self.programs.take_unwritten())
+            self._write_all(self.sessions.take_gone(), self.sessions.take_unwritten(), self.programs.take_unwritten())
             self.thread.close()
             self.log.close()
             self.store.close()
@@ -205,8 +225,14 @@ class Admission:
     async def ask(self, name: str, place: str, shown: Credentials) -> tuple[str, Person, Session]:
         """Somebody without a key waits to be let in. Raises TooManyError, ConflictError."""
         address = shown.peer.host
-        # Nothing is compared: asking is only as slow as guessing.
-        self._count_failure(address)
+        host = self._host(address)
+        if not self._asks.take(host, time.monotonic()):
+            wait_s = ceil(1.0 / self._asks.row.each[host.standing].per_s)
+            raise TooManyError(
+                "access_too_many_requests",
+                f"More was asked than this station answers: try again in {wait_s} s.",
+                retry_after_s=wait_s,
+            )
         before = self.find(shown)
         if before is not None:
             await self.forget(before[1].id)
@@ -259,6 +285,9 @@ class Admission:
             self.sessions.remove(person.id)
             raise
 
+    def _host(self, address: str) -> Holder:
+        return self._hosts.holder(address, time.monotonic())
+
     def _tell_ended(self, ids: frozenset[str]) -> None:
         self.on_ended(ids)
 
@@ -266,7 +295,8 @@ class Admission:
         self.on_changed(ids)
 
     async def _write_last_heard(self) -> None:
-        gone = self.sessions.forget_waiting(self.clock.now_s())
+        self.sessions.forget_waiting(self.clock.now_s())
+        gone = self.sessions.take_gone()
         heard = self.sessions.take_unwritten(), self.programs.take_unwritten()
         await self.thread.run(partial(self._write_all, gone, *heard))
 

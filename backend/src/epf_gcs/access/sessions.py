@@ -15,10 +15,12 @@ from epf_gcs.access.keys import digest_of, new_cookie
 from epf_gcs.access.roles import Role
 from epf_gcs.access.store import Person, PersonState, Session
 from epf_gcs.errors import ConflictError, NotFoundError
+from epf_gcs.shares.holder import Holder, Standing, host_of
+from epf_gcs.shares.places import Holdings
+from epf_gcs.shares.table import SHARES, Shares
 
 LASTS_S: Final = 30 * 86400.0
 """How long a session lasts without being used."""
-MOST_WAITING: Final = 20
 WAITS_S: Final = 3600.0
 """How long somebody who asked to be let in is remembered."""
 MOST_SESSIONS: Final = 2000
@@ -30,18 +32,34 @@ class Sessions:
     `on_ended` is told the ids of sessions that have ended, `on_changed` of those whose role or name has changed.
     """
 
-    def __init__(self, people: Iterable[Person], sessions: Iterable[Session]) -> None:
+    def __init__(
+        self,
+        people: Iterable[Person],
+        sessions: Iterable[Session],
+        shares: Shares = SHARES,
+        host: Callable[[str], Holder] = lambda address: Holder(host_of(address), Standing.stranger),
+    ) -> None:
+        """`host`: the holder of an address."""
         self.people: dict[str, Person] = {person.id: person for person in people}
         self._by_digest: dict[str, Session] = {session.digest: session for session in sessions}
         self._by_id: dict[str, Session] = {session.id: session for session in self._by_digest.values()}
         self._callers: dict[str, Caller] = {}
         self._seen_s: dict[str, float] = {}
         self._unwritten: set[str] = set()
+        self._gone: list[str] = []
+        self._host = host
+        # By the ids of people: who has waited longest of the host with most makes room.
+        self._waiting: Holdings[str] = Holdings(
+            shares.waiting, lambda person_id: self.people[person_id].made_s, self._forget_waiting
+        )
         self.on_ended: Callable[[frozenset[str]], None] = _nothing
         self.on_changed: Callable[[frozenset[str]], None] = _nothing
         for session in self._by_id.values():
             self._seen_s[session.id] = session.seen_s
             self._admit(session)
+        for person in tuple(self.people.values()):
+            if person.state == "waiting" and self._waiting.take(person.id, self._host(person.address)) is not None:
+                self._forget_waiting(person.id)
 
     def find(self, cookie: str, now_s: float) -> tuple[Session, Person] | None:
         """The session of a cookie and its person, who may be waiting or ended; None for any other text."""
@@ -88,14 +106,6 @@ class Sessions:
 
         Raises ConflictError if too many wait, or too many are in.
         """
-        if state == "waiting":
-            self.forget_waiting(now_s)
-            if sum(person.state == "waiting" for person in self.people.values()) >= MOST_WAITING:
-                raise ConflictError(
-                    "access_too_many_waiting",
-                    f"{MOST_WAITING} people are waiting to be let in already: ask an owner of this station for a key.",
-                    limit=MOST_WAITING,
-                )
         if len(self._by_id) >= MOST_SESSIONS:
             raise ConflictError(
                 "access_too_many_sessions",
@@ -103,6 +113,14 @@ class Sessions:
                 limit=MOST_SESSIONS,
             )
         person = Person(secrets.token_hex(8), name, place, int(role), state, now_s, now_s, address)
+        if state == "waiting":
+            self.forget_waiting(now_s)
+            if (shortage := self._waiting.take(person.id, self._host(address))) is not None:
+                raise ConflictError(
+                    "access_too_many_waiting",
+                    f"{shortage.most} people are waiting to be let in already: ask an owner of this station for a key.",
+                    limit=shortage.most,
+                )
         cookie = new_cookie()
         session = Session(secrets.token_hex(8), person.id, digest_of(cookie), now_s, now_s, address)
         self.people[person.id] = person
@@ -122,6 +140,8 @@ class Sessions:
             state=before.state if state is None else state,
         )
         self.people[person_id] = person
+        if state is not None and state != "waiting":
+            self._waiting.leave(person_id)
         ids = frozenset(session.id for session in self.of_person(person_id))
         if state == "ended":
             self._end(ids)
@@ -136,6 +156,7 @@ class Sessions:
         """Forget a person with all sessions. Raises NotFoundError."""
         self._person(person_id)
         self._end(frozenset(session.id for session in self.of_person(person_id)))
+        self._waiting.leave(person_id)
         del self.people[person_id]
 
     def end(self, session_id: str) -> Session:
@@ -148,15 +169,19 @@ class Sessions:
         self._end(frozenset((session_id,)))
         return session
 
-    def forget_waiting(self, now_s: float) -> list[str]:
-        """Forget those who have waited too long; returns the ids of the people."""
-        gone = [
-            person.id
-            for person in self.people.values()
-            if person.state == "waiting" and now_s - person.made_s > WAITS_S
-        ]
-        for person_id in gone:
-            self.remove(person_id)
+    def forget_waiting(self, now_s: float) -> None:
+        """Forget those who have waited too long."""
+        for person in tuple(self.people.values()):
+            if person.state == "waiting" and now_s - person.made_s > WAITS_S:
+                self._forget_waiting(person.id)
+
+    def _forget_waiting(self, person_id: str) -> None:
+        self.remove(person_id)
+        self._gone.append(person_id)
+
+    def take_gone(self) -> list[str]:
+        """The ids of people who waited and were forgotten since the last call."""
+        gone, self._gone = self._gone, []
         return gone
 
     def take_unwritten(self) -> dict[str, float]:

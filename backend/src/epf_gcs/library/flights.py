@@ -23,6 +23,7 @@ from epf_gcs.library.jobs import Job, Jobs
 from epf_gcs.library.library import FlightQuery, Library, Row
 from epf_gcs.library.policy import PolicyChoice
 from epf_gcs.recordings.places import Places
+from epf_gcs.shares.holder import STATION
 
 # How often the folder is looked at for what other programs put there or took away.
 _LOOK_EVERY_S: Final = 30.0
@@ -300,10 +301,10 @@ class Flights:
         if row.summary.duration_ns >= _WORTH_KEYS_NS:
             files = ["--recording", str(self.places.recording(flight)), "--keys", str(self.places.keyframes(flight))]
             with contextlib.suppress(ConflictError):
-                self.jobs.start("keys", files, flight=flight)
+                self.jobs.start("keys", files, by=STATION, flight=flight)
 
     async def _work(self, kind: Literal["pack", "index"], path: str, flight: str) -> Job:
-        job = self._preparing = self.jobs.start(kind, [path], flight=flight)
+        job = self._preparing = self.jobs.start(kind, [path], by=STATION, flight=flight)
         await job.ended.wait()
         await self.in_thread(self._folder.drop_half_packed, flight)
         await self._refresh()

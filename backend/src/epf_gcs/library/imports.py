@@ -17,6 +17,7 @@ from epf_gcs.library.about import About, write_about
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.jobs import Job, JobAnswer
 from epf_gcs.recordings.places import free_id
+from epf_gcs.shares.holder import Holder
 
 MOST_BYTES: Final = 8_000_000_000
 RESERVE_BYTES: Final = 1_500_000_000
@@ -41,7 +42,7 @@ class FlightImports:
         self._flights = flights
         self._cleaning: set[asyncio.Task[None]] = set()
 
-    async def receive(self, name: str, total_bytes: int | None, chunks: AsyncIterator[bytes]) -> Job:
+    async def receive(self, name: str, total_bytes: int | None, chunks: AsyncIterator[bytes], by: Holder) -> Job:
         """Take a file; returns the job that checks it. Raises GatewayError, and then leaves nothing behind."""
         folder = self._flights.places.incoming / secrets.token_hex(6)
         came, checked = folder / "came.mcap", folder / "checked.mcap"
@@ -49,7 +50,11 @@ class FlightImports:
             await self._flights.in_thread(lambda: folder.mkdir(parents=True))
             await self._write(name, came, total_bytes, chunks)
             job = self._flights.jobs.start(
-                "import", [str(came), str(checked)], flight=None, then=lambda job: self._take_in(job, checked, name)
+                "import",
+                [str(came), str(checked)],
+                by=by,
+                flight=None,
+                then=lambda job: self._take_in(job, checked, name),
             )
         except BaseException as error:
             await asyncio.shield(self._remove(folder))

@@ -23,6 +23,10 @@ from epf_gcs.contract.flights import Fault, JobKind, JobResult, JobState
 from epf_gcs.contract.flights import Job as JobReport
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.extras import FLIGHTS
+from epf_gcs.shares.holder import STATION, Holder
+from epf_gcs.shares.places import Holdings, Shortage
+from epf_gcs.shares.table import SHARES, Shares
+from epf_gcs.shares.turns import Turns
 from epf_gcs.workers.child import child
 from epf_gcs.workers.lines import WorkerLine, hear_lines
 from epf_gcs.workers.missing import require
@@ -30,10 +34,6 @@ from epf_gcs.workers.missing import require
 _PROGRAM: Final = "epf_gcs.flights"
 _NEED_TABLES: Final = frozenset({"index", "export", "report"})
 _KEYS_PROGRAM: Final = ("epf_gcs.replay", "--make-keys")
-# How many run at once: what prepares flights, and what a person waits for.
-_PREPARING: Final = 1
-_RESULTS: Final = 2
-_MOST_WAITING: Final = 20
 _KEPT: Final = 30
 _TELL_EVERY_S: Final = 0.25
 _GRACE_S: Final = 3.0
@@ -70,6 +70,7 @@ class Job:
     id: str
     kind: JobKind
     flight: str | None
+    by: Holder
     state: JobState = "waiting"
     progress: float = 0.0
     doing: str = "waiting"
@@ -109,17 +110,18 @@ class Job:
 class Jobs:
     """Owned by the event loop."""
 
-    def __init__(self, say: Say, longest_s: float = _LONGEST_S) -> None:
+    def __init__(self, say: Say, longest_s: float = _LONGEST_S, shares: Shares = SHARES) -> None:
         self._say = say
         self._loop = asyncio.get_running_loop()
         self._longest_s = longest_s
         self._jobs: dict[str, Job] = {}
         self._told_s: dict[str, float] = {}
-        preparing, results = asyncio.Semaphore(_PREPARING), asyncio.Semaphore(_RESULTS)
-        self._lanes: dict[JobKind, asyncio.Semaphore] = {
+        self._waiting: Holdings[str] = Holdings(shares.jobs_waiting)
+        preparing, results = Turns(shares.preparing), Turns(shares.results)
+        self._lanes: dict[JobKind, Turns] = {
             "pack": preparing,
             "index": preparing,
-            "keys": asyncio.Semaphore(_PREPARING),
+            "keys": Turns(shares.preparing),
             "import": preparing,
             "export": results,
             "report": results,
@@ -147,6 +149,7 @@ class Jobs:
         kind: JobKind,
         arguments: list[str],
         *,
+        by: Holder,
         flight: str | None,
         result: Path | None = None,
         result_name: str = "",
@@ -155,15 +158,14 @@ class Jobs:
         """Queue `python -m epf_gcs.flights KIND ARGUMENTS` (key frames: `epf_gcs.replay`), which writes `result`.
 
         `then` is awaited with the job's answer before the job counts as done; it may raise GatewayError or OSError.
-        Raises ConflictError while too many jobs are waiting, and where the kind needs packages that are not installed.
+        Raises ConflictError while too many jobs are waiting, of all or of `by`, and where the kind needs packages that
+        are not installed.
         """
         if kind in _NEED_TABLES:
             require(FLIGHTS)
-        if sum(job.state == "waiting" for job in self._jobs.values()) >= _MOST_WAITING:
-            raise ConflictError(
-                "jobs_busy", f"{_MOST_WAITING} jobs are waiting already: wait, or cancel one.", limit=_MOST_WAITING
-            )
-        job = Job(secrets.token_hex(6), kind, flight, result=result, result_name=result_name, then=then)
+        job = Job(secrets.token_hex(6), kind, flight, by, result=result, result_name=result_name, then=then)
+        if by != STATION and (shortage := self._waiting.take(job.id, by)) is not None:
+            raise _busy(shortage)
         self._remember(job)
         job.task = self._loop.create_task(self._run(job, arguments), name=f"job {kind}")
         return job
@@ -194,7 +196,8 @@ class Jobs:
 
     async def _run(self, job: Job, arguments: list[str]) -> None:
         try:
-            async with self._lanes[job.kind]:
+            async with self._lanes[job.kind].turn(job.by):
+                self._waiting.leave(job.id)
                 job.state = "running"
                 self._tell(job)
                 async with asyncio.timeout(self._longest_s):
@@ -239,6 +242,7 @@ class Jobs:
                 self._tell(job)
 
     def _end(self, job: Job) -> None:
+        self._waiting.leave(job.id)
         if job.state == "done":
             job.progress = 1.0
         else:
@@ -266,6 +270,14 @@ def _drop(job: Job) -> None:
     if job.result is not None:
         with contextlib.suppress(OSError):
             job.result.unlink(missing_ok=True)
+
+
+def _busy(shortage: Shortage) -> ConflictError:
+    most = shortage.most
+    if shortage.of == "own":
+        detail = f"{most} of your jobs are waiting already: wait until one begins, or cancel one."
+        return ConflictError("jobs_busy_own", detail, limit=most)
+    return ConflictError("jobs_busy", f"{most} jobs are waiting already: try again when some have begun.", limit=most)
 
 
 def _failed(why: str) -> GatewayError:

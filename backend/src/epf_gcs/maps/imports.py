@@ -22,8 +22,6 @@ INCOMING: Final = ".incoming"
 RESERVE_BYTES: Final = 200_000_000
 """Disk space that imports leave free, so that a map never stops the recording of a flight."""
 
-# In total; the limit for each computer is lower (`access.uploads`).
-_MOST_AT_ONCE: Final = 7
 _KEPT: Final = 20
 _PIECE_BYTES: Final = 1 << 20
 _TELL_EVERY_S: Final = 0.25
@@ -98,12 +96,6 @@ class Imports:
         busy = [one for one in self._all.values() if one.state in ("receiving", "converting")]
         if any(one.name == cleaned for one in busy) or await self._in_thread((self._folder.path / cleaned).exists):
             raise exists(cleaned)
-        if sum(one.state == "receiving" for one in busy) >= _MOST_AT_ONCE:
-            raise ConflictError(
-                "map_imports_busy",
-                f"{_MOST_AT_ONCE} maps are being received already: wait for one of them, or cancel it.",
-                limit=_MOST_AT_ONCE,
-            )
         one = Import(secrets.token_hex(6), cleaned, total_bytes)
         self._remember(one)
         folder = self._folder.path / INCOMING / one.id

@@ -109,26 +109,31 @@ _INTERFACE: Final = _interface()
 def create_app(settings: Settings, visitors: Visitors | None = None, certificates: Keeper | None = None) -> FastAPI:
     """The web process as an ASGI application; the stream needs `web.server`, which hands it the transports.
 
-    `visitors` are the connections of the server around it, for `/metrics`; `certificates` are what it shows under TLS.
+    `visitors` are the connections of the server around it, and how all is shared; `certificates` are what it shows
+    under TLS.
     """
     policy = settings.policy
+    visitors = Visitors() if visitors is None else visitors
+    shares = visitors.shares
     names = own_names() if policy.is_reached_by_others else []
     if certificates is not None:
         # A page of another name, resolved to this machine, gets no further than its browser's warning.
         names += certificates.in_use.names
-    access = Access((*settings.names, *names), settings.allowed_origins)
+    access = Access((*settings.names, *names), settings.allowed_origins, secure=certificates is not None)
     errors = ErrorLog()
     if certificates is not None:
         certificates.on_fault = errors.report
     answers: Counter[int] = Counter()
     clock = Clock()
-    admission = Admission(policy, settings.data_dir, errors.report, clock)
+    admission = Admission(policy, settings.data_dir, errors.report, clock, hosts=visitors.hosts, shares=shares)
     admission.listen_at(settings.port)
-    limits = CallerLimits(clock.steady_s)
+    limits = CallerLimits(clock.steady_s, shares)
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
-        station = Station(settings.data_dir, errors, clock, control_by_silence=settings.control_by_silence)
+        station = Station(
+            settings.data_dir, errors, clock, shares=shares, control_by_silence=settings.control_by_silence
+        )
         for name, part in station.parts.items():
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
@@ -150,7 +155,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
     app.state.certificates = certificates
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
     install_error_handlers(app, errors)
-    app.include_router(_probes(app, settings, visitors or Visitors(), answers))
+    app.include_router(_probes(app, settings, visitors, answers))
     install_page(app, settings.page_dir or PAGE.folder)
     app.state.admission = admission
     app.state.limits = limits

@@ -21,6 +21,7 @@ from epf_gcs.contract.events import AccessEvent, ErrorEvent
 from epf_gcs.contract.notices import StickSample
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ErrorCode, GatewayError, InvalidInputError
+from epf_gcs.web.replays.busy_replay import BusyReplay
 from epf_gcs.web.replays.replay_conversation import ReplayConversation
 from epf_gcs.web.replays.replays import Replays
 from epf_gcs.web.serving.guard import Access
@@ -70,7 +71,7 @@ class StreamEndpoint:
             is_none = isinstance(error, InvalidInputError)
             raise Refusal(HTTPStatus.BAD_REQUEST if is_none else HTTPStatus.FORBIDDEN, error.detail) from error
 
-    def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> Conversation:
+    def open(self, connection: SocketConnection, path: str, query: dict[str, str]) -> Conversation:
         """Read path and query of the URL. Raises Refusal for a stranger, an unknown path or an invalid rate."""
         caller = connection.caller
         if caller is None:
@@ -84,7 +85,7 @@ class StreamEndpoint:
         if "flight" in query:
             leave = self._parts.streams.add(caller.session, connection)
             try:
-                return self._parts.replays.open(connection, caller, query, rate_hz, peer, leave)
+                return self._parts.replays.open(connection, caller, query, rate_hz, leave)
             except Refusal:
                 leave()
                 raise
@@ -100,7 +101,7 @@ class StreamEndpoint:
 
     def opened(self, conversation: Conversation) -> None:
         """The handshake is done: send the hello."""
-        if isinstance(conversation, StreamConversation | ReplayConversation):
+        if isinstance(conversation, StreamConversation | ReplayConversation | BusyReplay):
             conversation.greet()
 
 

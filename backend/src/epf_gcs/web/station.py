@@ -29,12 +29,14 @@ from epf_gcs.library.aircraft import AircraftNameChoice
 from epf_gcs.library.flights import Flights, FlightsInUse
 from epf_gcs.library.imports import FlightImports
 from epf_gcs.library.jobs import Jobs
+from epf_gcs.library.mark_shares import MarkShares
 from epf_gcs.library.policy import PolicyChoice
 from epf_gcs.library.queries import Queries
 from epf_gcs.maps.maps import Maps
 from epf_gcs.recordings.places import Places
 from epf_gcs.rehearsal.rehearsals import Rehearsals
 from epf_gcs.repeating import keep_alive, log_and_count_failures, repeat
+from epf_gcs.shares.table import SHARES, Shares
 from epf_gcs.surroundings.kept import KeptSurroundings
 from epf_gcs.surroundings.watch import Surroundings
 from epf_gcs.track.tracks import Tracks
@@ -57,7 +59,15 @@ _SILENT_S: Final = 0.9
 class Station:
     """Constructed on the running loop. `parts` are what routes get by name (`deps.py`). Implements `control.Told`."""
 
-    def __init__(self, data_dir: Path, errors: ErrorLog, clock: Clock, *, control_by_silence: bool = False) -> None:
+    def __init__(
+        self,
+        data_dir: Path,
+        errors: ErrorLog,
+        clock: Clock,
+        *,
+        shares: Shares = SHARES,
+        control_by_silence: bool = False,
+    ) -> None:
         loop = asyncio.get_running_loop()
         self._errors = errors
         log_and_count_failures(loop, "web", lambda: errors.count("internal"))
@@ -74,11 +84,13 @@ class Station:
         self.surroundings = Surroundings(
             self.mirror, self.maps, KeptSurroundings(data_dir), self.clock.now_s, self.vehicle.notice
         )
-        self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state)
+        self.status = WholeStatus(
+            lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state, loop=loop
+        )
         self.fields = Fields(self.maps, self.hub.say, errors.report)
         self.flights = Flights(
             Places(data_dir),
-            Jobs(self.hub.say),
+            Jobs(self.hub.say, shares=shares),
             self.clock,
             FlightsInUse(self._growing, lambda: self.mirror.is_here, lambda: self.replays.flights),
             policy=PolicyChoice(self.vehicle.ask),
@@ -86,7 +98,7 @@ class Station:
             report=errors.report,
         )
         self.queries = Queries(data_dir)
-        self.replays = Replays(data_dir, errors, self._growing)
+        self.replays = Replays(data_dir, errors, self._growing, shares)
         self.stream_parts = StreamParts(
             self.hub, self.control, self.vehicle, self.status, errors, self.clock, self.replays, self.streams
         )
@@ -104,6 +116,7 @@ class Station:
             "flights": self.flights,
             "flight_queries": self.queries,
             "flight_imports": FlightImports(self.flights),
+            "mark_shares": MarkShares(shares.marks),
             "checklist": KeptChecklist(data_dir),
             "rehearsals": Rehearsals(self.maps),
             "surroundings": self.surroundings,

@@ -19,7 +19,8 @@ from epf_gcs.contract.status import Status
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.timeline import Timeline
-from epf_gcs.web.replays.replays import MOST_OF_A_HOST
+from epf_gcs.shares.holder import Standing
+from epf_gcs.shares.table import SHARES
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
 from tests.support.contract import read_as
 from tests.support.gateway import Gateway, Stream, running_gateway
@@ -28,6 +29,7 @@ from tests.support.programs import children_of, gateway_process
 from tests.support.waiting import DEADLINE_S, eventually, first_of
 
 ID = "20260101T120000Z"
+MOST = SHARES.replays.parts[Standing.own].each
 
 
 @pytest.fixture(scope="module")
@@ -173,14 +175,13 @@ def test_a_file_that_is_no_recording_is_told_and_the_stream_closed(station: Gate
 def test_so_many_replays_and_no_more_and_a_live_viewer_beside_them_sees_nothing_of_it(station: Gateway) -> None:
     with station.stream() as live:
         eventually(lambda: not replays(), "earlier ones have ended")
-        streams = [station.stream(f"?flight={ID}&at_s={number}") for number in range(MOST_OF_A_HOST)]
+        streams = [station.stream(f"?flight={ID}&at_s={number}") for number in range(MOST)]
         opened = [stream.__enter__() for stream in streams]
         assert len(replays()) == 1, "those of one recording share a process"
-        with pytest.raises(InvalidStatus) as refused, station.stream(f"?flight={ID}"):
-            pass
-        assert refused.value.response.status_code == 503
-        assert b"Close another" in refused.value.response.body
-        assert len({stream.hello["status"]["playback"]["at_s"] for stream in opened}) == MOST_OF_A_HOST
+        with station.stream(f"?flight={ID}") as refused:
+            assert (refused.hello["event"], refused.hello["data"]["code"]) == ("error", "replays_own")
+            assert refused.hello["data"]["params"] == {"limit": MOST}
+        assert len({stream.hello["status"]["playback"]["at_s"] for stream in opened}) == MOST
         for stream in streams:
             stream.__exit__(None, None, None)
         eventually(lambda: not replays(), "all end")

@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.shares.holder import Standing
+from epf_gcs.shares.rates import Flow, Rate
 from epf_gcs.shares.table import SHARES, by_host
 from epf_gcs.tls.context import make_context
 from epf_gcs.web.serving.visitors import Limits
@@ -191,3 +193,20 @@ def test_nothing_is_left_of_those_that_were_ended(kind: str, context: ssl.SSLCon
             made.sendall(b"!")
             assert made.recv(100) == b"encrypted !"
     gc.collect()
+
+
+def test_one_handshake_too_many_is_ended_before_it_costs_anything_and_plain_text_is_answered(
+    kind: str, context: ssl.SSLContext
+) -> None:
+    shares = replace(SHARES, handshakes=Flow(each={Standing.own: Rate(0, 2)}, together={}))
+    with open_door(kind, context, shares=shares) as door:
+        for _ in range(2):
+            with closing(door.connect_tls(careless())) as made:
+                made.sendall(b"!")
+                assert made.recv(100) == b"encrypted !"
+        with pytest.raises((ssl.SSLError, OSError)):
+            door.connect_tls(careless())
+        eventually(lambda: door.visitors.refused["handshake"] == 1, "it is counted")
+        with closing(door.connect()) as plain:
+            plain.sendall(b"?")
+            assert plain.recv(100) == b"plain ?"

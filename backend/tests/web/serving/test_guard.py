@@ -26,6 +26,35 @@ def test_a_foreign_page_cannot_command(gateway: Gateway, board: FakeBoard, origi
     assert gateway.status()["errors"] == {"foreign_origin": 3}
 
 
+def test_a_page_of_the_other_scheme_is_another_servers_unless_a_proxy_says_that_it_speaks_tls(gateway: Gateway) -> None:
+    origin = {"Origin": gateway.base.replace("http:", "https:")}
+    answer = gateway.http.post("/commands/start", headers=origin)
+    assert (answer.status_code, answer.json()["code"]) == (403, "foreign_origin")
+    answer = gateway.http.post("/commands/start", headers={**origin, "X-Forwarded-Proto": "https"})
+    assert answer.json()["code"] != "foreign_origin"
+
+
+@pytest.mark.parametrize(
+    ("site", "mode", "dest", "is_answered"),
+    [
+        ("same-origin", "cors", "empty", True),
+        ("none", "navigate", "document", True),
+        ("cross-site", "navigate", "document", True),
+        ("cross-site", "navigate", "iframe", False),
+        ("cross-site", "no-cors", "image", False),
+        ("cross-site", "cors", "empty", False),
+        ("same-site", "no-cors", "script", False),
+    ],
+)
+def test_a_page_of_another_server_may_lead_here_and_read_nothing(
+    gateway: Gateway, site: str, mode: str, dest: str, *, is_answered: bool
+) -> None:
+    headers = {"Sec-Fetch-Site": site, "Sec-Fetch-Mode": mode, "Sec-Fetch-Dest": dest}
+    answer = gateway.http.get("/status", headers=headers)
+    assert answer.status_code == (200 if is_answered else 403)
+    assert is_answered or answer.json()["code"] == "foreign_origin"
+
+
 def test_our_own_page_can_command(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
     answer = gateway.http.post("/commands/start", headers={"Origin": gateway.base})
@@ -78,6 +107,8 @@ def open_gateway(tmp_path: Path) -> Iterator[Gateway]:
 
 def test_more_names_and_pages_can_be_allowed(open_gateway: Gateway) -> None:
     assert open_gateway.http.get("/status", headers={"Host": "station.lan:8000"}).status_code == 200
+    reads = {"Origin": "http://127.0.0.1:5173", "Sec-Fetch-Site": "same-site", "Sec-Fetch-Mode": "cors"}
+    assert open_gateway.http.get("/status", headers=reads).status_code == 200
     answer = open_gateway.http.post("/commands/start", headers={"Origin": "http://127.0.0.1:5173"})
     assert answer.json()["code"] == "board_not_open"
 

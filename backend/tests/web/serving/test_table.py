@@ -81,8 +81,10 @@ FOR_ANYONE = {
     ("POST", "/api/v1/access/ask"),
     ("POST", "/api/v1/access/leave"),
 }
-# An answer that is made for whoever asks, and a note in the flight that is being recorded.
+# An answer that is made for whoever asks, or is not wanted any more by who asked for it; and a note in the flight that
+# is being recorded.
 A_VIEWER_MAY_SEND = {
+    ("DELETE", "/api/v1/jobs/{job_id}"),
     ("POST", "/api/v1/missions/export"),
     ("POST", "/api/v1/flights/{flight_id}/exports"),
     ("POST", "/api/v1/flights/{flight_id}/marks"),

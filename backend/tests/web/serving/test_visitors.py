@@ -7,12 +7,10 @@ from dataclasses import replace
 
 import pytest
 
-from epf_gcs.errors import ConflictError
 from epf_gcs.shares.holder import Standing, is_this_computer
 from epf_gcs.shares.known_hosts import FORGOTTEN_S
 from epf_gcs.shares.table import SHARES, by_host, fitting
 from epf_gcs.system.limits import raise_open_files
-from epf_gcs.web.serving.uploads import FROM_ELSEWHERE, PER_HOST, Uploads
 from epf_gcs.web.serving.visitors import Visitors
 
 PER_HOST_HERE = 3
@@ -64,12 +62,6 @@ def test_a_network_of_addresses_is_one_host(visitors: Visitors, address: str) ->
     assert visitors.come_in(Visitor("2001:db8:0:1::1")), "another network has its own share"
     assert all(visitors.become_socket(Visitor(address.format(number))) for number in range(2))
     assert not visitors.become_socket(Visitor(address.format(9)))
-    uploads = Uploads()
-    with uploads.one_more(address.format(1)), uploads.one_more(address.format(2)), uploads.one_more(address.format(3)):
-        with pytest.raises(ConflictError), uploads.one_more(address.format(4)):
-            pass
-        with uploads.one_more("10.0.0.1"):
-            pass
 
 
 def test_who_has_shown_a_key_and_is_at_work_is_not_sent_away(visitors: Visitors) -> None:
@@ -180,16 +172,64 @@ def test_this_computer_is_known(host: str, own: bool) -> None:
     assert is_this_computer(host) is own
 
 
-def test_uploads_from_elsewhere_leave_places_for_this_computer() -> None:
-    uploads = Uploads()
-    open_now = [uploads.one_more(host) for host in ["10.0.0.1"] * PER_HOST + ["10.0.0.2"] * (FROM_ELSEWHERE - PER_HOST)]
-    for one in open_now:
-        one.__enter__()
-    for host in ("10.0.0.1", "10.0.0.3"):
-        with pytest.raises(ConflictError), uploads.one_more(host):
-            pass
-    with uploads.one_more("127.0.0.1"), uploads.one_more("127.0.0.1"):
-        pass
-    open_now[0].__exit__(None, None, None)
-    with uploads.one_more("10.0.0.3"):
-        pass
+def begun(visitors: Visitors, hosts: list[str], each: int = 1) -> int:
+    """How many TLS handshakes these hosts begin, who try so many times each, in turns."""
+    return sum(visitors.begin_handshake(host) for _ in range(each) for host in hosts)
+
+
+ROW = SHARES.handshakes
+A_PAGE = 6
+"""Connections that a browser opens."""
+
+
+def test_a_host_that_shakes_hands_on_and_on_is_slowed_down_and_a_class_is_not(
+    visitors: Visitors, now_s: list[float]
+) -> None:
+    assert begun(visitors, ["10.0.0.1"], 120) == 120
+    per_s, at_once = ROW.each[Standing.stranger]
+    assert begun(visitors, ["10.0.0.2"], 2000) == at_once
+    now_s[0] = 1.0
+    assert begun(visitors, ["10.0.0.2"], 2000) == per_s
+    assert begun(visitors, ["10.0.0.3"], A_PAGE) == A_PAGE
+
+
+def test_a_network_of_addresses_shakes_hands_as_one_host(visitors: Visitors) -> None:
+    hosts = [f"2001:db8::{number:x}" for number in range(1000)]
+    assert begun(visitors, hosts) == ROW.each[Standing.stranger].at_once
+
+
+def test_strangers_together_have_a_limit(visitors: Visitors) -> None:
+    hosts = [f"10.{number >> 8}.{number & 255}.1" for number in range(2000)]
+    assert ROW.newcomers is not None
+    most = ROW.together[Standing.stranger].at_once + ROW.newcomers.together.at_once
+    assert begun(visitors, hosts, 3) == most
+
+
+def test_this_computer_shakes_hands_as_often_as_it_likes(visitors: Visitors) -> None:
+    assert begun(visitors, ["127.0.0.1"], 5000) == 5000
+
+
+STRANGERS = [f"10.0.1.{number}" for number in range(60)]
+
+
+def beset(visitors: Visitors, now_s: list[float], seconds: int) -> None:
+    """Sixty hosts shake hands ten times a second each."""
+    for _ in range(10 * seconds):
+        now_s[0] += 0.1
+        begun(visitors, STRANGERS)
+
+
+def test_a_host_where_a_key_was_shown_shakes_hands_whatever_strangers_do(
+    visitors: Visitors, now_s: list[float]
+) -> None:
+    visitors.know("10.0.0.9", Standing.viewer)
+    beset(visitors, now_s, 60)
+    assert begun(visitors, ["10.0.0.9"], A_PAGE) == A_PAGE
+    assert visitors.refused["handshake"] > 20_000
+
+
+def test_a_newcomer_shakes_hands_before_strangers_who_did_so_often(visitors: Visitors, now_s: list[float]) -> None:
+    beset(visitors, now_s, 5)
+    for number in range(100, 120):
+        beset(visitors, now_s, 1)
+        assert begun(visitors, [f"10.0.0.{number}"], A_PAGE) == A_PAGE

@@ -14,6 +14,7 @@ from fastapi import Depends, Header, Request
 from epf_gcs.access.admission import Admission
 from epf_gcs.access.caller import Caller, Credentials
 from epf_gcs.access.control import Control
+from epf_gcs.access.limits import holder_of
 from epf_gcs.access.roles import Role
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.station_end import StationEnd
@@ -21,9 +22,11 @@ from epf_gcs.clock import Clock
 from epf_gcs.fields.fields import Fields
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.imports import FlightImports
+from epf_gcs.library.mark_shares import MarkShares
 from epf_gcs.library.queries import Queries
 from epf_gcs.maps.maps import Maps
 from epf_gcs.rehearsal.rehearsals import Rehearsals
+from epf_gcs.shares.holder import Holder
 from epf_gcs.surroundings.watch import Surroundings
 from epf_gcs.track.tracks import Tracks
 from epf_gcs.web.checklist.checklist_store import KeptChecklist
@@ -57,6 +60,8 @@ QueriesDep = Annotated[Queries, _part("flight_queries")]
 """Questions about what is in a flight."""
 ImportsDep = Annotated[FlightImports, _part("flight_imports")]
 """Recordings that come from other machines."""
+MarkSharesDep = Annotated[MarkShares, _part("mark_shares")]
+"""How many marks a caller may set."""
 InspectorDep = Annotated[SharedInspector, _part("inspector")]
 RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
 ChecklistDep = Annotated[KeptChecklist, _part("checklist")]
@@ -97,6 +102,14 @@ async def get_admitted(caller: CallerDep) -> Caller:
 
 
 AdmittedDep = Annotated[Caller, Depends(get_admitted)]
+
+
+async def get_holder(caller: AdmittedDep) -> Holder:
+    """The caller as a holder of shares."""
+    return holder_of(caller)
+
+
+HolderDep = Annotated[Holder, Depends(get_holder)]
 
 XClient = Annotated[
     str | None,

@@ -5,22 +5,23 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import math
-from collections import Counter
 from collections.abc import Callable
 from http import HTTPStatus
 from pathlib import Path
 from typing import Final
 
 from epf_gcs.access.caller import Caller
+from epf_gcs.access.limits import holder_of
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places, is_id
+from epf_gcs.shares.places import Holdings
+from epf_gcs.shares.table import Shares
+from epf_gcs.web.replays.busy_replay import BusyReplay, replays_busy
 from epf_gcs.web.replays.replay_conversation import ReplayConversation
 from epf_gcs.web.replays.replay_process import ReplayProcess, ViewersReplay
 from epf_gcs.web.stream.handshake import Refusal
 from epf_gcs.web.stream.socket import SocketConnection
 
-MOST: Final = 12
-MOST_OF_A_HOST: Final = 10
 CURRENT: Final = "current"
 _FARTHEST_S: Final = 1e9
 
@@ -28,18 +29,18 @@ _FARTHEST_S: Final = 1e9
 class Replays:
     """`growing` gives the id of the flight that is being recorded, None while there is none."""
 
-    def __init__(self, data_dir: Path, errors: ErrorLog, growing: Callable[[], str | None]) -> None:
+    def __init__(self, data_dir: Path, errors: ErrorLog, growing: Callable[[], str | None], shares: Shares) -> None:
         self._places = Places(data_dir)
         self._errors = errors
         self._growing = growing
-        self._hosts: Counter[str] = Counter()
+        self._open: Holdings[SocketConnection] = Holdings(shares.replays)
         self._running: set[asyncio.Task[None]] = set()
         self._processes: dict[Path, ReplayProcess] = {}
 
     @property
     def count(self) -> int:
         """How many there are now."""
-        return self._hosts.total()
+        return len(self._open)
 
     @property
     def flights(self) -> set[str]:
@@ -52,9 +53,8 @@ class Replays:
         caller: Caller,
         query: dict[str, str],
         rate_hz: int,
-        peer: str,
         on_end: Callable[[], None],
-    ) -> ReplayConversation:
+    ) -> ReplayConversation | BusyReplay:
         """A replay of `flight` from `at_s` on, for this connection; `on_end`: it is over. Raises Refusal."""
         flight = query["flight"]
         file = self._file(flight)
@@ -62,18 +62,14 @@ class Replays:
         if at_s is None:
             self._errors.count("invalid_request")
             raise Refusal(HTTPStatus.BAD_REQUEST, "at_s must be seconds after the start of the flight.")
-        host = peer.rpartition(":")[0]
-        if self.count >= MOST or self._hosts[host] >= MOST_OF_A_HOST:
-            self._errors.count("replays_busy")
-            raise Refusal(
-                HTTPStatus.SERVICE_UNAVAILABLE,
-                f"{self.count} recordings are being replayed, {self._hosts[host]} of them from here: at most {MOST} "
-                f"at once and {MOST_OF_A_HOST} from one computer. Close another one first.",
-            )
-        self._hosts[host] += 1
+        shortage = self._open.take(connection, holder_of(caller))
+        if shortage is not None:
+            error = replays_busy(shortage)
+            self._errors.count(error.code)
+            return BusyReplay(connection, error, on_end)
 
         def leave() -> None:
-            self._hosts[host] -= 1
+            self._open.leave(connection)
             on_end()
 
         replay = ViewersReplay(file.stem, lambda: self._process(file), at_s)

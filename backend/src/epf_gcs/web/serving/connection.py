@@ -17,6 +17,7 @@ from epf_gcs.access.caller import Caller, Credentials, Peer
 from epf_gcs.access.limits import CallerLimits, standing_of
 from epf_gcs.errors import GatewayError
 from epf_gcs.repeating import repeat
+from epf_gcs.shares.table import STREAM_COSTS_REQUESTS
 from epf_gcs.web.serving.access_table import STREAMS
 from epf_gcs.web.serving.guard import admitted
 from epf_gcs.web.serving.problems import problem_of
@@ -156,15 +157,18 @@ class Connection(HttpToolsProtocol):
         limits = cast(CallerLimits, self.app_state["limits"])
         try:
             asker = admitted(caller, entry.least)
-            limits.socket_opened(asker)
+            limits.request(asker, self.host, STREAM_COSTS_REQUESTS)
+            limits.open_stream(self, asker)
         except GatewayError as error:
             self._refuse(error)
             return
         if not self._visitors.become_socket(self):
             log.warning("a stream was refused", host=self.host)
-            limits.socket_closed(asker)
+            limits.close_stream(self)
             self._end(*_BUSY)
             return
+        # A stream makes room for nobody, also where anybody may fly and nobody has a key.
+        self.has_shown_key = True
         self.connections.discard(self)
         head = [self.scope["method"].encode(), b" ", self.url, b" HTTP/1.1\r\n"]
         for name, value in self.scope["headers"]:
@@ -179,7 +183,7 @@ class Connection(HttpToolsProtocol):
         stream.caller = asker
 
         def lost() -> None:
-            limits.socket_closed(asker)
+            limits.close_stream(self)
             self._visitors.leave(self)
 
         stream.on_lost = lost

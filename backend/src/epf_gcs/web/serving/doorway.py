@@ -2,7 +2,7 @@
 
 asyncio's own server can only expect one of the two. A connection counts as a visitor from its first moment, so those
 that never finish their handshake take nobody's place but that of their own host, and they are ended in time; those that
-finish one after another are slowed down (`handshakes.py`).
+finish one after another are slowed down (`Visitors.begin_handshake`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from typing import Any, Final
 import structlog
 
 from epf_gcs.repeating import Repeating
-from epf_gcs.web.serving.handshakes import Handshakes
 from epf_gcs.web.serving.visitors import Visitor, Visitors
 
 SHUTDOWN_S: Final = 5.0
@@ -45,7 +44,6 @@ class Doorway:
         plain: Factory,
         *,
         visitors: Visitors,
-        handshakes: Handshakes | None = None,
     ) -> None:
         """`context` is asked for each connection. `plain` gets those that do not speak TLS."""
         listener.setblocking(False)
@@ -54,7 +52,6 @@ class Doorway:
         self.encrypted = encrypted
         self.plain = plain
         self.visitors = visitors
-        self.handshakes = handshakes or Handshakes()
         self.loop = asyncio.get_running_loop()
         self._listener = listener
         self._arrivals: dict[Arrival, None] = {}
@@ -151,8 +148,7 @@ class Arrival:
             self.make_room()
             return
         is_tls = first == _HANDSHAKE
-        if is_tls and not self._doorway.handshakes.begin(self.host, self._doorway.loop.time()):
-            self._doorway.visitors.refused["handshake"] += 1
+        if is_tls and not self._doorway.visitors.begin_handshake(self.host):
             self.make_room()
             return
         self._doorway.loop.remove_reader(self._connection)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ipaddress
 from collections import Counter
-from collections.abc import Callable, Iterable, MutableMapping, Sequence
+from collections.abc import Callable, Container, Iterable, MutableMapping, Sequence
 from dataclasses import dataclass
 from http import HTTPStatus
 from typing import Any, Final
@@ -33,7 +33,6 @@ from epf_gcs.errors import (
 from epf_gcs.web.serving.access_table import API, Entry, Gate
 from epf_gcs.web.serving.body_limits import BodyLimits
 from epf_gcs.web.serving.problems import problem_of, problem_response
-from epf_gcs.web.serving.uploads import Uploads
 
 _READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
 _CONTENT_POLICY: Final = (
@@ -43,6 +42,8 @@ _CONTENT_POLICY: Final = (
 # Swagger UI writes style attributes into its markup.
 _DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
 _DOCS_PATH: Final = "/api/docs"
+# Fetch Metadata, as all browsers send it: another server's page, or one of another port of this computer.
+_FOREIGN_SITES: Final = frozenset(("cross-site", "same-site"))
 _MOST_SAID: Final = 400
 _OF_GOOGLE_EARTH: Final = (".kml", ".kmz", ".dae")
 
@@ -62,12 +63,15 @@ class Access:
     """Rules for the header Host (the server's name in the URL) and Origin (the page that makes the request).
 
     The Host check stops DNS rebinding: a page whose own domain resolves to this machine. The Origin check stops
-    requests from pages of other servers. Programs other than browsers send no Origin and are accepted.
+    requests from pages of other servers, Sec-Fetch-Site also those that only read: their answers are kept from them
+    anyway, but each costs us something. Programs other than browsers send neither and are accepted.
     """
 
-    def __init__(self, hosts: Iterable[str], origins: Iterable[str]) -> None:
+    def __init__(self, hosts: Iterable[str], origins: Iterable[str], *, secure: bool = False) -> None:
+        """`secure`: the station speaks TLS itself."""
         self._hosts = frozenset(host.lower() for host in hosts) | {"localhost"}
         self._origins = frozenset(origins)
+        self._scheme = "https" if secure else "http"
 
     def check(self, values: Callable[[str], Sequence[str]], *, reads: bool) -> None:
         """`values` gives all values of a header; `reads`: nothing is commanded, so that any page may ask.
@@ -77,8 +81,11 @@ class Access:
         """
         host, origin = _only(values, "Host"), _only(values, "Origin")
         self._check_host(host)
-        if not reads:
-            self._check_origin(origin, host)
+        if reads:
+            self._check_site(values, origin)
+        else:
+            # A proxy that speaks TLS in our place says so.
+            self._check_origin(origin, host, {self._scheme, *values("X-Forwarded-Proto")})
 
     def _check_host(self, host: str | None) -> None:
         try:
@@ -97,14 +104,26 @@ class Access:
                 host=name,
             )
 
-    def _check_origin(self, origin: str | None, host: str | None) -> None:
+    def _check_site(self, values: Callable[[str], Sequence[str]], origin: str | None) -> None:
+        """A page of another server may lead here, as a link does, and no more."""
+        if origin in self._origins or not _FOREIGN_SITES.intersection(values("Sec-Fetch-Site")):
+            return
+        if "navigate" in values("Sec-Fetch-Mode") and "document" in values("Sec-Fetch-Dest"):
+            return
+        raise GatewayError(
+            "foreign_origin",
+            "The page of another server may not ask this station: open the station's own page.",
+            origin=(origin or "")[:200],
+        )
+
+    def _check_origin(self, origin: str | None, host: str | None, schemes: Container[str]) -> None:
         if origin is None or origin in self._origins:
             return
         try:
             parts = urlsplit(origin)
         except ValueError:
             parts = urlsplit("")
-        if parts.scheme in ("http", "https") and parts.netloc.lower() == (host or "").lower():
+        if parts.scheme in schemes and parts.netloc.lower() == (host or "").lower():
             return
         raise GatewayError(
             "foreign_origin",
@@ -142,7 +161,6 @@ class Guard:
         self._limits = entrance.limits
         self._bodies = bodies
         self._errors = errors
-        self._uploads = Uploads()
         self._answers: Counter[int] = Counter() if answers is None else answers
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -198,7 +216,7 @@ class Guard:
             send = deed.send
         else:
             deed = None
-        if scope["path"] in self._bodies.streamed:
+        if caller is not None and scope["path"] in self._bodies.streamed:
             await self._stream(caller, scope, receive, send)
             return
         most_bytes = self._bodies.of(scope["path"], is_strangers=caller is None)
@@ -218,13 +236,13 @@ class Guard:
         state = scope.setdefault("state", {})
         shown = Credentials.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
         caller = self._admission.admit(shown)
+        if (connection := state.get("connection")) is not None:
+            connection.show(caller)
         entry = self._gate.entry(scope["method"], scope["path"])
         least = Role.viewer if entry is None else entry.least
         if least != OPEN:
             admitted(caller, least)
         self._limits.request(caller, shown.peer.host)
-        if (connection := state.get("connection")) is not None:
-            connection.show(caller)
         state["caller"] = caller
         state["shown"] = shown
         return caller, entry
@@ -239,15 +257,14 @@ class Guard:
 
         return send_on
 
-    async def _stream(self, caller: Caller | None, scope: Scope, receive: Receive, send: Send) -> None:
+    async def _stream(self, caller: Caller, scope: Scope, receive: Receive, send: Send) -> None:
         async def counted() -> Message:
             message = await receive()
-            if caller is not None:
-                self._limits.upload(caller, len(message.get("body", b"")))
+            self._limits.upload(caller, len(message.get("body", b"")))
             return message
 
         try:
-            with self._uploads.one_more(scope["client"][0] if scope.get("client") else ""):
+            with self._limits.one_upload(caller):
                 await self._app(scope, counted, send)
         except ConflictError as error:
             await self._refuse(HTTPStatus.CONFLICT, error, scope, receive, send)

@@ -15,6 +15,7 @@ from typing import Protocol
 from epf_gcs.shares.holder import Holder, Standing
 from epf_gcs.shares.known_hosts import KnownHosts
 from epf_gcs.shares.places import Holdings
+from epf_gcs.shares.rates import Meter
 from epf_gcs.shares.table import SHARES, Shares
 
 
@@ -74,6 +75,7 @@ class Visitors:
         self.shares = shares
         self._connections: Holdings[Visitor] = Holdings(shares.connections, _order, lambda one: one.make_room())
         self._sockets: Holdings[Visitor] = Holdings(shares.sockets)
+        self._handshakes = Meter(shares.handshakes)
 
     def __iter__(self) -> Iterator[Visitor]:
         return iter(self._connections)
@@ -93,6 +95,14 @@ class Visitors:
     def become_socket(self, visitor: Visitor) -> bool:
         """Count this connection as a WebSocket; False if there is no place."""
         return self._take(self._sockets, visitor, "socket")
+
+    def begin_handshake(self, host: str) -> bool:
+        """Whether this host may begin a TLS handshake. This computer has no limit: who runs programs on it has cheaper
+        ways to keep it busy."""
+        if self._handshakes.take(self.holder(host), self._now_s()):
+            return True
+        self.refused["handshake"] += 1
+        return False
 
     def leave(self, visitor: Visitor) -> None:
         """Remove a connection. Idempotent."""

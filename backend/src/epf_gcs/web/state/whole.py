@@ -15,6 +15,7 @@ from epf_gcs.contract.status import Status
 from epf_gcs.contract.surroundings import SurroundingsState
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.repeating import Repeating
+from epf_gcs.shares.table import STATUS_PER_S
 from epf_gcs.web.stream.hub import Hub
 
 
@@ -28,13 +29,17 @@ class WholeStatus:
         errors: ErrorLog,
         hub: Hub,
         around: Callable[[], SurroundingsState],
+        *,
+        loop: asyncio.AbstractEventLoop,
     ) -> None:
         self._flight = flight
         self._control = control
         self._errors = errors
         self._hub = hub
         self._around = around
-        self._sending = Repeating(asyncio.get_running_loop(), "the status", self._send)
+        self._loop = loop
+        self._sending = Repeating(loop, "the status", self._send)
+        self._next_s = 0.0
         # Samples of the stick that did not count: their page has no control.
         self.strange_samples = 0
 
@@ -59,9 +64,11 @@ class WholeStatus:
         return orjson.dumps(self.build())
 
     def changed(self) -> None:
-        """Send the status to the viewers in the next turn of the loop, once for all changes until then."""
-        self._sending.arm()
+        """Send the status to the viewers in the next turn of the loop, or as soon as it may be sent again, once for all
+        changes until then."""
+        self._sending.arm(max(0.0, self._next_s - self._loop.time()))
 
     def _send(self) -> None:
+        self._next_s = self._loop.time() + 1.0 / STATUS_PER_S
         if self._hub.viewers:
             self._hub.status(b'{"type":"status","data":%b}' % self.text())

@@ -61,7 +61,7 @@ class Conversation(Protocol):
 class Endpoint(Protocol):
     """Answers a handshake."""
 
-    def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> Conversation:
+    def open(self, connection: SocketConnection, path: str, query: dict[str, str]) -> Conversation:
         """Begin a conversation; `connection.send` works only after this returned. Raises Refusal."""
 
     def opened(self, conversation: Conversation) -> None:
@@ -274,12 +274,11 @@ class SocketConnection(asyncio.Protocol):
         transport = self._transport
         if transport is None:
             return
-        peer = transport.get_extra_info("peername") or ("", 0)
         try:
             parts = address_parts(request.path)
             self._endpoint.check(request.headers.get_all)
             query = dict(parse_qsl(parts.query, keep_blank_values=True))
-            conversation = self._endpoint.open(self, parts.path, query, f"{peer[0]}:{peer[1]}")
+            conversation = self._endpoint.open(self, parts.path, query)
         except Refusal as refusal:
             self._protocol.send_response(self._protocol.reject(refusal.status, f"{refusal.text}\n"))
             return

@@ -19,7 +19,8 @@ from epf_gcs.library.flights import Flights
 from epf_gcs.library.jobs import Job
 from epf_gcs.recordings.export_names import ExportFormat, check_export, file_name, is_single
 from epf_gcs.recordings.places import ID_PATTERN
-from epf_gcs.web.interface.deps import FlightsDep
+from epf_gcs.shares.holder import Holder
+from epf_gcs.web.interface.deps import FlightsDep, HolderDep
 from epf_gcs.web.interface.flights.schemas import ExportInput, JobStart
 from epf_gcs.web.interface.language import BrowserLanguageDep, LanguageDep
 from epf_gcs.web.serving.problems import problems, reading_problems
@@ -56,10 +57,10 @@ Topics = Annotated[
 
 @router.post("/{flight_id}/exports", status_code=202, responses=problems(404, 409))
 async def start_flight_export(
-    flight_id: FlightId, asked: ExportInput, flights: FlightsDep, browser: BrowserLanguageDep
+    flight_id: FlightId, asked: ExportInput, flights: FlightsDep, browser: BrowserLanguageDep, holder: HolderDep
 ) -> JobStart:
     """Begin to write a flight as a file: the job tells how far it is, can be cancelled, and has the file as result."""
-    return JobStart(job=(await _start(flights, flight_id, asked, browser)).id)
+    return JobStart(job=(await _start(flights, flight_id, asked, browser, holder)).id)
 
 
 @router.get(
@@ -75,6 +76,7 @@ async def get_flight_export(
     flight_id: FlightId,
     flights: FlightsDep,
     lang: LanguageDep,
+    holder: HolderDep,
     format: ExportFormat,  # noqa: A002 - the query parameter's name
     topics: Topics = None,
     from_s: AtS = None,
@@ -84,7 +86,7 @@ async def get_flight_export(
     """The same in one request, for programs: the answer comes when the file is made. Who hangs up cancels it."""
     chosen = None if topics is None else topics.split(",")
     asked = ExportInput(format=format, topics=chosen, from_s=from_s, to_s=to_s, every_point=every_point)
-    job = await _start(flights, flight_id, asked, lang)
+    job = await _start(flights, flight_id, asked, lang, holder)
     try:
         while not job.is_over and not await request.is_disconnected():
             with contextlib.suppress(TimeoutError):
@@ -105,7 +107,7 @@ async def get_flight_export(
     )
 
 
-async def _start(flights: Flights, flight: str, asked: ExportInput, language: Language) -> Job:
+async def _start(flights: Flights, flight: str, asked: ExportInput, language: Language, by: Holder) -> Job:
     """Raises NotFoundError, InvalidInputError, and ConflictError while it is recorded or prepared."""
     check_export(asked.format, asked.topics, asked.from_s, asked.to_s)
     row = await flights.get(flight)
@@ -127,7 +129,7 @@ async def _start(flights: Flights, flight: str, asked: ExportInput, language: La
         if at_s is not None:
             arguments += [option, repr(at_s)]
     name = file_name(flight, asked.format, asked.topics)
-    return flights.jobs.start("export", arguments, flight=flight, result=result, result_name=name)
+    return flights.jobs.start("export", arguments, by=by, flight=flight, result=result, result_name=name)
 
 
 def _as_answered(fault: GatewayError) -> GatewayError:

@@ -7,11 +7,13 @@ from typing import Annotated
 from fastapi import APIRouter, Path
 from fastapi.responses import FileResponse
 
+from epf_gcs.access.roles import Role
 from epf_gcs.contract.flights import Job
 from epf_gcs.contract.shapes import FILE
 from epf_gcs.errors import NotFoundError
-from epf_gcs.web.interface.deps import FlightsDep
+from epf_gcs.web.interface.deps import AdmittedDep, FlightsDep
 from epf_gcs.web.interface.flights.schemas import JobList
+from epf_gcs.web.serving.guard import admitted
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/jobs", tags=["flights"])
@@ -32,9 +34,11 @@ async def get_job(job_id: JobId, flights: FlightsDep) -> Job:
 
 
 @router.delete("/{job_id}", responses=problems(404, 409))
-async def cancel_job(job_id: JobId, flights: FlightsDep) -> Job:
-    """Stop a job: nothing of what it made is kept. One that is over stays as it is."""
+async def cancel_job(job_id: JobId, flights: FlightsDep, caller: AdmittedDep) -> Job:
+    """Stop a job: nothing of what it made is kept. One that is over stays as it is. A viewer stops its own alone."""
     job = flights.jobs.get(job_id)
+    if job.by.key != caller.session:
+        admitted(caller, Role.operator)
     await flights.cancel(job)
     return job.told
 

@@ -14,7 +14,7 @@ from epf_gcs.contract.shapes import Description
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
 from epf_gcs.library.flights import Flights
 from epf_gcs.recordings.places import ID_PATTERN
-from epf_gcs.web.interface.deps import FlightsDep
+from epf_gcs.web.interface.deps import FlightsDep, HolderDep
 from epf_gcs.web.interface.language import LanguageDep
 from epf_gcs.web.serving.problems import reading_problems
 
@@ -32,6 +32,7 @@ async def get_flight_report(
     flight_id: Annotated[str, Path(pattern=ID_PATTERN, examples=["20260131T120000Z"])],
     flights: FlightsDep,
     lang: LanguageDep,
+    holder: HolderDep,
     compare: Annotated[str | None, Query(pattern=ID_PATTERN, description="An earlier flight to set beside it.")] = None,
     format: Annotated[Literal["json", "html"], Query()] = "json",  # noqa: A002 - the contract's name
 ) -> Response:
@@ -41,7 +42,7 @@ async def get_flight_report(
         arguments += ["--compare", await _recording(flights, compare)]
     if format == "html":
         arguments += ["--page", lang]
-    job = flights.jobs.start("report", arguments, flight=flight_id)
+    job = flights.jobs.start("report", arguments, by=holder, flight=flight_id)
     try:
         await job.ended.wait()
     finally:

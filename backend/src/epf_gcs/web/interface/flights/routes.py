@@ -18,7 +18,7 @@ from epf_gcs.library.folder import KEPT_S
 from epf_gcs.library.imports import incomplete, most_import_bytes
 from epf_gcs.library.library import FlightQuery, Row, Sort
 from epf_gcs.recordings.places import ID_PATTERN
-from epf_gcs.web.interface.deps import FlightsDep, ImportsDep, MirrorDep, OperatorDep
+from epf_gcs.web.interface.deps import FlightsDep, HolderDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.interface.flights.schemas import (
     DeletedFlight,
     Flight,
@@ -128,12 +128,14 @@ async def set_flight_aircraft(named: FlightAircraftInput, flights: FlightsDep, _
     responses=problems(409),
     openapi_extra=file_body(),
 )
-async def import_flight(request: Request, imports: ImportsDep, name: FileName, _: OperatorDep) -> JobStart:
+async def import_flight(
+    request: Request, imports: ImportsDep, name: FileName, holder: HolderDep, _: OperatorDep
+) -> JobStart:
     """Take a recording of another machine, whole or not at all. The answer comes when all of it is there; the job that
     it names checks it then, and says under which id it is in the library, or why it is not."""
     length = request.headers.get("content-length", "")
     total_bytes = int(length) if length.isdecimal() else None
-    job = await imports.receive(name, total_bytes, _chunks(request, name))
+    job = await imports.receive(name, total_bytes, _chunks(request, name), holder)
     return JobStart(job=job.id)
 
 
