@@ -17,7 +17,7 @@ STREAMING = {"ahrs": True, "gps": False}
 
 def test_an_uptime_below_what_it_must_be_is_a_restart() -> None:
     restart = BoardRestart()
-    restart.link_opened()
+    restart.link_opened("")
     assert restart.opened(100.0, 1e9, 50_000, QUIET) is None, "the first time nothing is known"
     restart.fell_silent(STREAMING)
     assert restart.opened(160.0, 2e9, 4_000, QUIET) == Restart(2e9, 4_000)
@@ -57,13 +57,35 @@ def test_a_count_that_begins_again_after_25_days_is_no_restart() -> None:
 
 def test_another_link_is_perhaps_another_board() -> None:
     restart = BoardRestart()
+    restart.link_opened("serial:/dev/ttyUSB0")
     restart.opened(100.0, 1e9, 50_000, QUIET)
+    for target in ("serial:/dev/ttyUSB1", "", ""):
+        restart.fell_silent(QUIET)
+        restart.link_opened(target)
+        assert restart.opened(110.0, 2e9, 1_000, QUIET) is None
     restart.fell_silent(QUIET)
-    restart.link_opened()
-    assert restart.opened(110.0, 2e9, 1_000, QUIET) is None
-    restart.fell_silent(QUIET)
-    restart.link_opened()
+    restart.link_opened("")
     assert restart.opened(110.0, 2e9, None, QUIET) is None
+
+
+def test_a_board_that_was_switched_off_and_on_has_restarted_also_if_the_line_was_lost() -> None:
+    restart = BoardRestart()
+    for steady_s, uptime_ms, found in (
+        (100.0, 50_000, None),
+        (110.0, 60_000, None),
+        (120.0, 4_000, Restart(1e9, 4_000)),
+        (130.0, 14_000, None),
+    ):
+        restart.link_opened("serial:/dev/ttyUSB0")
+        assert restart.opened(steady_s, 1e9, uptime_ms, QUIET) == found
+
+
+def test_a_deployed_board_on_a_line_that_was_opened_again_may_be_the_same() -> None:
+    restart = BoardRestart()
+    restart.link_opened("serial:/dev/ttyUSB0")
+    restart.opened(1.0, 1e9, None, STREAMING)
+    restart.link_opened("serial:/dev/ttyUSB0")
+    assert restart.opened(5.0, 2e9, None, QUIET) is None
 
 
 @pytest.mark.parametrize(
@@ -82,7 +104,7 @@ def test_a_deployed_board_is_known_by_what_it_forgot(
     before: dict[str, bool], after: dict[str, bool], text: bool, is_restart: bool
 ) -> None:
     restart = BoardRestart()
-    restart.link_opened()
+    restart.link_opened("")
     assert restart.opened(1.0, 1e9, None, before) is None
     restart.fell_silent(before)
     if text:
@@ -92,7 +114,7 @@ def test_a_deployed_board_is_known_by_what_it_forgot(
 
 def test_what_a_deployed_board_said_before_it_was_first_open_is_no_restart() -> None:
     restart = BoardRestart()
-    restart.link_opened()
+    restart.link_opened("")
     restart.heard_text()
     assert restart.opened(1.0, 1e9, None, STREAMING) is None
     restart.fell_silent(STREAMING)
@@ -116,7 +138,7 @@ async def test_a_real_dialogue_with_a_board_that_starts_anew_shows_it(
     station = Flight(tmp_path / "data", record=False)  # type: ignore[operator]
     await station.supervisor.open(parse_address(board.url))
     restart = BoardRestart()
-    restart.link_opened()
+    restart.link_opened("")
     seen: list[Restart | None] = []
     was_open = False
 

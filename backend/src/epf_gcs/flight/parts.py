@@ -135,15 +135,16 @@ def make_board(common: Common, owner: Owner) -> BoardParts:
         report=common.errors.report,
         name_of=common.client_names.name_of,
     )
+    parameters = Parameters(board, commands, outlet, journal)
     rearming = Rearmer(
         board=board,
         commands=commands,
+        parameters=parameters,
         telemetry=vehicle.telemetry,
         memory=memory,
         errors=common.errors,
         on_change=owner.changed,
     )
-    parameters = Parameters(board, commands, outlet, journal)
     missions = Missions(board, commands, outlet, owner.on_plan_read)
     return BoardParts(vehicle, commands, journal, parameters, missions, rearming)
 

@@ -178,7 +178,7 @@ class Playhead:
         board = self.known.now.lines["board"]
         if board.open or not self.known.now.has_lines:
             line = RecordedLine(_DEFAULT_BAUD if board.baud is None else board.baud)
-            self.vehicle.board.attach(line, is_emulated=board.emulated)
+            self.vehicle.board.attach(line, is_emulated=board.emulated, target=board.url or "")
             self._attached_s = self.clock.now_s()
 
     def _restore(self, kept: PlayheadState) -> None:

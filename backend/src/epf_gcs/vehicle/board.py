@@ -117,8 +117,10 @@ class Board:
         """Time since the board's last heartbeat on this link."""
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
-    def attach(self, link: Line, *, is_emulated: bool = False, deliver: Callable[[], None] = lambda: None) -> None:
-        """A link is open: begin the dialogue. `deliver` makes it hand over bytes that wait."""
+    def attach(
+        self, link: Line, *, is_emulated: bool = False, target: str = "", deliver: Callable[[], None] = lambda: None
+    ) -> None:
+        """A link to `target` is open: begin the dialogue. `deliver` makes it hand over bytes that wait."""
         self._telemetry.catch_up()
         self._link, self._deliver = link, deliver
         self.is_emulated = is_emulated
@@ -128,7 +130,7 @@ class Board:
         self._decoder = FrameDecoder()
         self._was_open = False
         self._damage_before = Counter(self.damage)
-        self._restart.link_opened()
+        self._restart.link_opened(target)
         self.write(self.session.open(self._clock.steady_s()))
 
     def detach(self) -> None:
@@ -152,7 +154,7 @@ class Board:
     def acquire_line(self, user: ExclusiveUser) -> None:
         """Leave binary mode and give the line to `user` alone: nothing can be commanded until `release_line`."""
         self.write(self.session.close())
-        self._restart.link_opened()
+        self._restart.link_opened("")
         self._take(self._decoder.finish())
         self._decoder = FrameDecoder()
         self._was_open = False

@@ -1,4 +1,4 @@
-"""Detect a restart of the board while the link stayed open: after one it has forgotten what it was told."""
+"""Detect a restart of the board: after one it has forgotten what it was told."""
 
 from __future__ import annotations
 
@@ -25,24 +25,28 @@ class Restart:
 
 
 class BoardRestart:
-    """Detects restarts from what the session sees within one link. `steady_s` is a steady clock's, `t_s` Unix time.
+    """Detects restarts from what the session sees. `steady_s` is a steady clock's, `t_s` Unix time.
 
-    An extended board reports its uptime: if that is shorter than the time since its known start, it has restarted.
-    A legacy board reports none. There a restart is assumed after a silence and a new opening, unless it sent no text
-    meanwhile and the streams that were on before (at least one) still are: then only the line had failed.
+    An extended board reports its uptime: if that is shorter than the time since its known start, it has restarted, also
+    if the link was lost meanwhile. A legacy board reports none. There a restart is assumed after a silence and a new
+    opening within one link, unless it sent no text meanwhile and the streams that were on before (at least one) still
+    are: then only the line had failed.
     `heartbeat`: the values of the last heartbeat.
     """
 
     def __init__(self) -> None:
+        self._target = ""
         self._streams_before: frozenset[str] | None = None
         self._has_spoken_text = False
         # When the board started, computed from the uptime that it reported.
         self._started_s: float | None = None
 
-    def link_opened(self) -> None:
-        """Another link, perhaps to another board: forget what was known."""
+    def link_opened(self, target: str) -> None:
+        """A link to `target` was opened. To another than before, or one without a name, it is perhaps another board."""
+        if not target or target != self._target:
+            self._started_s = None
+        self._target = target
         self._streams_before = None
-        self._started_s = None
 
     def fell_silent(self, heartbeat: Mapping[str, Json]) -> None:
         """The heartbeat of an open board stopped, and the dialogue is being opened again."""

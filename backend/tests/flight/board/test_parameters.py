@@ -167,6 +167,28 @@ async def test_a_board_that_is_lost_during_a_write_leaves_an_entry_and_nothing_t
         assert len(story(station)) == 2
 
 
+async def test_gains_that_were_known_are_read_again_as_soon_as_the_board_is_back(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        assert board.count("load_autopilot_parameters") == 0, "nobody had asked for them"
+        await station.parameters.load(None)
+        board.unplug()
+        await eventually_async(lambda: station.parameters.held["k_pitch"].value is None, "nothing is known of them")
+        board.gains["k_pitch"] = 2.75
+        board.plug_in()
+        await eventually_async(lambda: station.parameters.held["k_pitch"].value == 2.75, "they are read")
+        assert board.count("load_autopilot_parameters") == 2
+
+
+async def test_gains_are_read_again_after_a_restart_of_the_board(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.gains["k_pitch"] = 2.75
+        board.restart()
+        await eventually_async(lambda: station.parameters.held["k_pitch"].value == 2.75, "they are read")
+
+
 async def test_a_board_that_is_lost_during_a_set_command_leaves_an_entry_and_a_gain_that_is_not_sure(
     tmp_path: Path, board: FakeBoard
 ) -> None:
@@ -200,7 +222,7 @@ async def test_a_board_that_started_anew_has_nothing_to_undo(tmp_path: Path, boa
         await eventually_async(lambda: board.count("capabilities") == 2, "the silence is noticed")
         await eventually_async(lambda: station.supervisor.state == "open", "it is opened anew")
         await eventually_async(lambda: station.parameters.journal.steps.undo is None, "nothing can be undone")
-        assert station.parameters.held["k_pitch"].value is None
+        await eventually_async(lambda: station.parameters.held["k_pitch"].state == "loaded", "it is read again")
         assert len(story(station)) == 1
 
 

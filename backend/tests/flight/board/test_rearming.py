@@ -14,6 +14,8 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.board.commands import Commands
+from epf_gcs.flight.board.journal import Journal
+from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearmer
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.vehicle.vehicle import Vehicle
@@ -45,9 +47,17 @@ class World:
         self.board, self.telemetry = vehicle.board, vehicle.telemetry
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
         self.looks = 0
+        journal = Journal(
+            folder / "journal.jsonl",
+            clock=self.clock,
+            outlet=self.outlet,
+            report=self.errors.report,
+            name_of=lambda _: None,
+        )
         self.rearming = Rearmer(
             board=self.board,
             commands=self.commands,
+            parameters=Parameters(self.board, self.commands, self.outlet, journal),
             telemetry=self.telemetry,
             memory=self.memory,
             errors=self.errors,

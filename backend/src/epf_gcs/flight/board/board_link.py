@@ -113,7 +113,7 @@ class Supervisor(KeepsOpen[LinkAddress, Link]):
         board = self._board
         waits = LinkCallbacks(on_bytes, self._kept.lose, tap, board.missing_bytes, self._may_wait, board.together)
         link.start(waits)
-        self._board.attach(link, is_emulated=is_emulated, deliver=link.deliver)
+        self._board.attach(link, is_emulated=is_emulated, target=address.url, deliver=link.deliver)
 
     def _may_wait(self) -> bool:
         return self._board.may_wait() and self._others_may_wait()

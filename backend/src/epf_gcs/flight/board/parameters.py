@@ -40,6 +40,7 @@ class Parameters:
         self._lock = asyncio.Lock()
         self._session = 0
         self._is_writing = False
+        self._was_known = False
         self.journal = journal
         self.held: Held17 = UNKNOWN
         self.unconfirmed: tuple[str, ...] = ()
@@ -49,6 +50,7 @@ class Parameters:
     def forget(self) -> None:
         """Forget all values and undo steps: the board is gone or was restarted."""
         self._session += 1
+        self._was_known |= any(one.value is not None for one in self.held.values())
         self._replace(UNKNOWN)
         self.journal.forget_steps()
 
@@ -61,6 +63,13 @@ class Parameters:
         async with self._lock:
             await self._read(client, quiet=False)
             self._replace(gains.loaded_now(self.held))
+
+    async def read_again(self) -> None:
+        """Read all if they were known before they were last forgotten. Raises BoardError where it does not answer."""
+        if self._was_known:
+            async with self._lock:
+                await self._read("gateway")
+                self._replace(gains.loaded_now(self.held))
 
     async def set(self, changes: Mapping[str, float], client: str | None) -> None:
         """Set some and read all back. Raises InvalidInputError before anything is sent, BoardError without answer."""
@@ -265,6 +274,7 @@ class Parameters:
                 )
 
     def _on_frame(self, frame: Frame, meant: Meaning) -> None:
+        self._was_known = False
         if not self._is_writing:
             self._replace(gains.after_read(self.held, meant.values))
 

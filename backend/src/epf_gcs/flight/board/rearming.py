@@ -1,4 +1,5 @@
-"""Each time a board opens, restore the streams, periods and control source that were requested before."""
+"""Each time a board opens, restore the streams, periods and control source that were requested before, and read the
+gains again that were known."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from collections.abc import Callable
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.board.commands import Commands
+from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.telemetry import Telemetry
@@ -22,6 +24,7 @@ class Rearmer:
         *,
         board: Board,
         commands: Commands,
+        parameters: Parameters,
         telemetry: Telemetry,
         memory: Memory,
         errors: ErrorLog,
@@ -29,6 +32,7 @@ class Rearmer:
     ) -> None:
         self._board = board
         self._commands = commands
+        self._parameters = parameters
         self._telemetry = telemetry
         self._memory = memory
         self._errors = errors
@@ -58,9 +62,9 @@ class Rearmer:
                 continue
             wanted = self._memory.now.wanted
             self._board.session.expect_heartbeat_every(wanted.period_s(RATE_COMMANDS[0]))
-            for name, arguments in wanted.missing(self._telemetry.newest("heartbeat") or {}):
-                try:
+            try:
+                for name, arguments in wanted.missing(self._telemetry.newest("heartbeat") or {}):
                     await self._commands.run(name, arguments, client="gateway")
-                except GatewayError as error:
-                    self._errors.report(error)
-                    break
+                await self._parameters.read_again()
+            except GatewayError as error:
+                self._errors.report(error)
