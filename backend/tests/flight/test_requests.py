@@ -35,6 +35,7 @@ from epf_gcs.contract.events import (
 from epf_gcs.contract.notices import Pace, StickSample
 from epf_gcs.contract.requests import (
     AnswerT_co,
+    ChooseThresholds,
     LoadParameters,
     ReadHil,
     Request,
@@ -47,6 +48,7 @@ from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.recording import policy_of
+from epf_gcs.flights.known_changes import limit_changes
 from epf_gcs.recordings.notes import EVENT, IDENTITY, MARK, Note
 from epf_gcs.recordings.reading import notes_of
 from epf_gcs.xplane.datagram import Record, build
@@ -134,6 +136,13 @@ async def test_the_path_is_kept_noted_and_told_at_once(asked: Asked, tmp_path: P
     again.memory.close()
     noted = [note.content["data"] for note in asked.notes() if note.name == EVENT and note.content["event"] == "hil"]
     assert noted == [{"path": "manual", "source": None}, {"path": "assisted", "source": None}]
+
+
+async def test_limits_of_alarms_are_noted_at_the_start_and_when_they_are_changed(asked: Asked) -> None:
+    asked.records()
+    await asked(ChooseThresholds({"hil_lost_s": 2.0}))
+    changes = limit_changes(asked.notes())
+    assert [(name, after) for _, name, _, after in changes] == [("hil_lost_s", 2.0)]
 
 
 def turn(flight: Flight, profile: str) -> None:
@@ -312,7 +321,8 @@ async def test_what_the_bytes_of_the_lines_do_not_say_is_noted_and_nothing_else(
     assert heard == ["gains"], "the gains are noted anew when one of them changes"
     assert asked.told[-15:] == [as_told(event) for event in (*noted, *others)], "the stations are told all the same"
     notes = [note.content for note in asked.notes() if note.name == EVENT and note.content["event"] != "hil"]
-    assert [(note["event"], note["data"]) for note in notes] == [as_told(event) for event in noted]
+    told = [(note["event"], note["data"]) for note in notes if note["event"] != "limits"]
+    assert told == [as_told(event) for event in noted]
 
 
 async def test_the_identity_names_board_firmware_station_and_person(asked: Asked) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights import answers
@@ -98,6 +99,51 @@ def test_an_alarm_lasts_from_its_coming_to_its_going_also_when_it_is_acknowledge
     assert found(flight) == [("alarm", "battery_low", 1.0, 5.0), ("alarm", "battery_low", 7.0, None)]
 
 
+def test_brief_alarms_that_come_again_and_again_are_one_event() -> None:
+    def sounded(name: str, *spans: tuple[float, float]) -> list[Note]:
+        return [
+            noted(at_s, "alarm", id=name, active=at_s == begin, acknowledged=False)
+            for begin, end in spans
+            for at_s in (begin, end)
+        ]
+
+    brief = sounded(
+        "hil_lost", (1.0, 1.1), (4.0, 4.1), (9.0, 9.1), (40.0, 44.0), (46.0, 46.1), (90.0, 94.0), (96.0, 99.0)
+    )
+    flight = MadeFlight({}, sorted([*brief, *sounded("gps_lost", (5.0, 5.1))], key=lambda note: note.t_ns))
+    assert found(flight) == [
+        ("alarm", "hil_lost", 1.0, pytest.approx(9.1)),
+        ("alarm", "gps_lost", 5.0, pytest.approx(5.1)),
+        ("alarm", "hil_lost", 40.0, pytest.approx(46.1)),
+        ("alarm", "hil_lost", 90.0, 94.0),
+        ("alarm", "hil_lost", 96.0, 99.0),
+    ]
+    first = find_events(flight, [], [])[0]
+    assert (first.data["times"], first.data["lasted_s"]) == (3, pytest.approx(0.3))
+
+
+def test_stick_limits_and_who_moves_the_surfaces_are_events_where_they_change() -> None:
+    flight = MadeFlight(
+        {},
+        [
+            noted(0, "limits", battery_low_v=10.5, hil_lost_s=0.5),
+            noted(0, "hil", path="manual", source="joystick"),
+            noted(1, "stick", source="gamepad", state="live", reason="chosen", gamepad="Xbox"),
+            noted(2, "hil", path="manual", source="radio"),
+            noted(3, "hil", path="assisted", source="radio"),
+            noted(4, "limits", battery_low_v=11.0, hil_lost_s=0.5),
+            noted(5, "limits", battery_low_v=11.0, hil_lost_s=0.5),
+        ],
+    )
+    assert found(flight) == [
+        ("stick", "gamepad", 1.0, None),
+        ("mode", "assisted", 3.0, None),
+        ("limits", "battery_low_v", 4.0, None),
+    ]
+    told = find_events(flight, [], [])
+    assert (told[1].data, told[2].data) == ({"on": True}, {"before": 10.5, "after": 11.0})
+
+
 def test_advice_is_an_event_of_its_own_by_its_code() -> None:
     flight = MadeFlight({}, [noted(3, "advice", code="line_full", level="warning", text="full", params={})])
     assert found(flight) == [("advice", "line_full", 3.0, None)]
@@ -159,7 +205,7 @@ def circle(seconds: float = 600.0) -> MadeFlight:
                 },
             )
         },
-        [Note(START_NS, notes.IDENTITY, {"station": "1.0", "board": {"name": "EPF"}, "operator": 5})],
+        [Note(START_NS, notes.IDENTITY, {"station": "1.0", "board": {"firmware_name": "EPF"}, "operator": 5})],
     )
 
 

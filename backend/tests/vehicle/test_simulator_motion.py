@@ -122,11 +122,11 @@ def test_a_slow_simulator_is_not_called_paused_between_its_frames() -> None:
 @pytest.mark.parametrize(
     ("values", "after_s", "distance_m"),
     [
-        pytest.param({0: 27.9319 + 0.0044}, 0.0, None, id="490 m"),
-        pytest.param({0: 27.9319 + 0.0048}, 0.0, 534, id="530 m to the north"),
+        pytest.param({0: 27.9319 + 0.0008}, 0.0, None, id="90 m"),
+        pytest.param({0: 27.9319 + 0.001}, 0.0, 111, id="110 m to the north"),
         pytest.param({1: -15.3866 + 0.3}, 0.0, 29_472, id="29 km to the east"),
-        pytest.param({5: 1235.75 + 1500.0}, 0.0, None, id="1500 ft up"),
-        pytest.param({5: 1235.75 + 1700.0}, 0.0, 518, id="1700 ft up"),
+        pytest.param({5: 1235.75 + 300.0}, 0.0, None, id="300 ft up"),
+        pytest.param({5: 1235.75 + 919.0}, 0.0, 280, id="919 ft up, from a crash to its start"),
         pytest.param({0: 27.9319 + 0.01}, 20.0, None, id="1.1 km in a silence of 20 s"),
         pytest.param({0: 27.9319 + 0.1}, 20.0, 11_120, id="11 km in a silence of 20 s"),
         pytest.param({0: math.nan}, 0.0, None, id="no number"),

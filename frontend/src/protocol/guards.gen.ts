@@ -559,6 +559,21 @@ export const isReportLeg = shape({
 });
 export type ReportLeg = Checked<typeof isReportLeg>;
 
+/** What a second-order model says of an answer that it explains: the same figures on the same time, each within its
+ * doubt of the true one in 95 of 100 cases, and `off`, the root mean square of what it leaves of the samples, in the
+ * signal's unit. */
+export const isReportModel = shape({
+  damping: nullable(isNumber),
+  damping_doubt: nullable(isNumber),
+  frequency_rad_s: nullable(isNumber),
+  off: isNumber,
+  overshoot_doubt_percent: nullable(isNumber),
+  overshoot_percent: nullable(isNumber),
+  rise_doubt_s: nullable(isNumber),
+  rise_s: nullable(isNumber),
+});
+export type ReportModel = Checked<typeof isReportModel>;
+
 /** What the picture of a manoeuvre draws; `at_s` is counted from the manoeuvre's begin. */
 export const isReportTrace = shape({
   at_s: list(isNumber),
@@ -570,34 +585,30 @@ export type ReportTrace = Checked<typeof isReportTrace>;
 /** A manoeuvre and how the loop answered it. Times are counted from its begin; `size` is the step of the target
  * (of a leg its seconds), and `start`, `target`, `final`, `peak` and `steady_error` have the unit `unit`.
  *
- * `method` says where the figures are from: a second-order model that explains the samples, the smoothed samples
- * themselves, or nothing, where they can't be judged. A figure lies within its doubt of the true one in 95 of 100
- * cases; without a model it has none. `earlier` is the place of the like manoeuvre in
+ * `method` says where the figures are from: the smoothed samples, or nothing, where they can't be judged. They are
+ * shares of the step that was asked for, of what was flown alone. `is_cut`: the manoeuvre ended before the answer came
+ * to rest. `model` is null where no model explains the samples. `earlier` is the place of the like manoeuvre in
  * `earlier.manoeuvres`. */
 export const isReportManoeuvre = shape({
   at_s: isNumber,
   cause: oneOf("waypoint", "target", "engaged"),
-  damping: nullable(isNumber),
-  damping_doubt: nullable(isNumber),
   earlier: nullable(isNumber),
   final: nullable(isNumber),
-  frequency_rad_s: nullable(isNumber),
+  is_cut: isFlag,
   kind: oneOf("climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"),
   leg: nullable(isReportLeg),
-  method: oneOf("model", "measured", "none"),
-  overshoot_doubt_percent: nullable(isNumber),
+  method: oneOf("samples", "none"),
+  model: nullable(isReportModel),
   overshoot_percent: nullable(isNumber),
   peak: nullable(isNumber),
   peak_s: nullable(isNumber),
   plan: oneOf("flight", "hil"),
-  rise_doubt_s: nullable(isNumber),
   rise_from_s: nullable(isNumber),
   rise_s: nullable(isNumber),
   rise_to_s: nullable(isNumber),
   settling_s: nullable(isNumber),
   size: isNumber,
   start: nullable(isNumber),
-  steady_doubt: nullable(isNumber),
   steady_error: nullable(isNumber),
   target: nullable(isNumber),
   trace: nullable(isReportTrace),
@@ -980,6 +991,16 @@ export const isReportAlarm = shape({
 });
 export type ReportAlarm = Checked<typeof isReportAlarm>;
 
+/** What changed or broke the flight; `until_s` is null for a moment, or where the recording ended before it did.
+ * `detail` says which and how, as text of no language. */
+export const isReportEvent = shape({
+  at_s: isNumber,
+  detail: isText,
+  kind: oneOf("assisted", "manual", "stick", "limits", "restart", "jump", "silence", "simulator_silence", "pause"),
+  until_s: nullable(isNumber),
+});
+export type ReportEvent = Checked<typeof isReportEvent>;
+
 /** How a loop flew in a stretch: medians of the manoeuvres that lie in it whole, and the root mean square of its
  * error all the time (null for less than ten seconds of it). */
 export const isReportEffect = shape({
@@ -1021,6 +1042,7 @@ export const isFlightReport = shape({
   battery: nullable(isReportBattery),
   distances: isReportDistances,
   earlier: nullable(isEarlierFlight),
+  events: list(isReportEvent),
   flight: isText,
   gains: list(isReportGain),
   gains_known: dictionary(isNumber),

@@ -23,6 +23,7 @@ EventKind = Literal[
     "damage",
     "gap",
     "jump",
+    "limits",
     "link",
     "lost",
     "mark",
@@ -30,6 +31,7 @@ EventKind = Literal[
     "parameter",
     "plan",
     "restart",
+    "stick",
     "waypoint",
 ]
 

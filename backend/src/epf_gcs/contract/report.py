@@ -11,6 +11,9 @@ from epf_gcs.contract.base import PlanName, Shape
 ManoeuvreKind = Literal["climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"]
 LoopName = Literal["altitude", "heading", "speed"]
 NoManoeuvres = Literal["no_targets", "autopilot_off", "no_changes"]
+ReportEventKind = Literal[
+    "assisted", "manual", "stick", "limits", "restart", "jump", "silence", "simulator_silence", "pause"
+]
 NotKnown = Literal["wind", "battery", "round_trip", "position", "speed", "gains", "gaps", "file", "lost"]
 
 
@@ -90,6 +93,17 @@ class ReportMark(Shape):
 
 
 @dataclass(frozen=True, slots=True)
+class ReportEvent(Shape):
+    """What changed or broke the flight; `until_s` is null for a moment, or where the recording ended before it did.
+    `detail` says which and how, as text of no language."""
+
+    kind: ReportEventKind
+    at_s: float
+    until_s: float | None
+    detail: str
+
+
+@dataclass(frozen=True, slots=True)
 class ReportTrace(Shape):
     """What the picture of a manoeuvre draws; `at_s` is counted from the manoeuvre's begin."""
 
@@ -112,13 +126,29 @@ class ReportLeg(Shape):
 
 
 @dataclass(frozen=True, slots=True)
+class ReportModel(Shape):
+    """What a second-order model says of an answer that it explains: the same figures on the same time, each within its
+    doubt of the true one in 95 of 100 cases, and `off`, the root mean square of what it leaves of the samples, in the
+    signal's unit."""
+
+    rise_s: float | None
+    rise_doubt_s: float | None
+    overshoot_percent: float | None
+    overshoot_doubt_percent: float | None
+    damping: float | None
+    damping_doubt: float | None
+    frequency_rad_s: float | None
+    off: float
+
+
+@dataclass(frozen=True, slots=True)
 class ReportManoeuvre(Shape):
     """A manoeuvre and how the loop answered it. Times are counted from its begin; `size` is the step of the target
     (of a leg its seconds), and `start`, `target`, `final`, `peak` and `steady_error` have the unit `unit`.
 
-    `method` says where the figures are from: a second-order model that explains the samples, the smoothed samples
-    themselves, or nothing, where they can't be judged. A figure lies within its doubt of the true one in 95 of 100
-    cases; without a model it has none. `earlier` is the place of the like manoeuvre in
+    `method` says where the figures are from: the smoothed samples, or nothing, where they can't be judged. They are
+    shares of the step that was asked for, of what was flown alone. `is_cut`: the manoeuvre ended before the answer came
+    to rest. `model` is null where no model explains the samples. `earlier` is the place of the like manoeuvre in
     `earlier.manoeuvres`.
     """
 
@@ -132,7 +162,7 @@ class ReportManoeuvre(Shape):
     start: float | None
     target: float | None
     waypoint: int | None
-    method: Literal["model", "measured", "none"]
+    method: Literal["samples", "none"]
     rise_s: float | None
     rise_from_s: float | None
     rise_to_s: float | None
@@ -142,12 +172,8 @@ class ReportManoeuvre(Shape):
     settling_s: float | None
     final: float | None
     steady_error: float | None
-    damping: float | None
-    frequency_rad_s: float | None
-    rise_doubt_s: float | None
-    overshoot_doubt_percent: float | None
-    steady_doubt: float | None
-    damping_doubt: float | None
+    is_cut: bool
+    model: ReportModel | None
     leg: ReportLeg | None
     trace: ReportTrace | None
     earlier: int | None
@@ -231,6 +257,7 @@ class FlightReport(Shape):
     battery: ReportBattery | None
     link: ReportLink
     alarms: list[ReportAlarm]
+    events: list[ReportEvent]
     marks: list[ReportMark]
     manoeuvres: list[ReportManoeuvre]
     no_manoeuvres: NoManoeuvres | None

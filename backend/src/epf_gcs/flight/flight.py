@@ -65,6 +65,7 @@ class Flight:
         self.watch, self.alarms, self._alarm_history = watched.watch, watched.alarms, watched.history
 
         self._known = self._make_known()
+        self._known.limits(self.alarms.thresholds)
         self.sources = self._make_sources()
         self._housekeeping = Housekeeping(
             self.sources,
@@ -119,7 +120,7 @@ class Flight:
             **parameter_requests(self.parameters),
             **mission_requests(self.missions),
             **self.switches.requests(),
-            **alarm_requests(self.alarms, self.watch.battery),
+            **alarm_requests(self.alarms, self.watch.battery, self._known.limits),
             **recording_requests(self.recorder, self.notes, self._known, self.memory, self.outlet),
         }
 

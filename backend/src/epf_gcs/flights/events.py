@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +15,9 @@ import pyarrow.parquet as pq
 
 from epf_gcs.contract.flights import EventKind, FlightEvent, FlightEvents
 from epf_gcs.flights.flight_data import Damage, FlightData, read_field
+from epf_gcs.flights.known_changes import limit_changes, surface_paths
+from epf_gcs.flights.rates import GAP_NS
+from epf_gcs.flights.resets import resets
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Content, Note
 
@@ -33,6 +37,7 @@ _KINDS: Final[Mapping[str, EventKind]] = {
     "mission": "plan",
     "parameter": "parameter",
     "simulator_jumped": "jump",
+    "stick": "stick",
 }
 _NAMES: Final = {
     "advice": "code",
@@ -41,9 +46,15 @@ _NAMES: Final = {
     "console": "direction",
     "mission": "plan",
     "control": "name",
+    "stick": "source",
 }
 # A burst of damaged frames with no longer pause than this is one event.
 _DAMAGE_PAUSE_NS: Final = 2_000_000_000
+# An alarm that lasted less is brief; one that comes again within the other time is the same.
+_BRIEF_S: Final = 1.0
+_AGAIN_NS: Final = 10_000_000_000
+# A jump is noted this long after its sample at the most.
+_SAME_JUMP_NS: Final = 2_000_000_000
 # Kinds of damage that are no frame.
 _NO_FRAMES: Final = ("noise", "remains", "text")
 # A restart or a broken file may leave a command or alarm without its end; one flight has no more events than this.
@@ -68,9 +79,16 @@ def find_events(flight: FlightData, silences: list[tuple[int, int]], damaged: li
 
     Raises OSError, RecordingError.
     """
-    found = [*_noted(flight.notes()), *_modes(flight), *_waypoints(flight), *_bursts(damaged)]
-    for begin, end in silences:
-        found.append(Event(begin, "gap", "silence", {"duration_s": (end - begin) * 1e-9}, until_ns=end))
+    noted = flight.notes()
+    found = [
+        *_with_resets(flight, _merged(_noted(noted))),
+        *_modes(flight),
+        *_known_changes(noted),
+        *_waypoints(flight),
+    ]
+    found += _bursts(damaged)
+    for name, spans in (("silence", silences), ("simulator", _simulator_silences(flight))):
+        found += [Event(begin, "gap", name, {"duration_s": (end - begin) * 1e-9}, until_ns=end) for begin, end in spans]
     found.sort(key=lambda event: event.t_ns)
     return found[:MOST_EVENTS]
 
@@ -141,6 +159,37 @@ def _noted(found: list[Note]) -> list[Event]:
     return events
 
 
+def _merged(events: list[Event]) -> list[Event]:
+    """Brief alarms that come again soon are one event, as long as from the first to the last.
+
+    Its data say how often (`times`), and for how long together (`lasted_s`).
+    """
+    found: list[Event] = []
+    newest: dict[str, Event] = {}
+    for event in events:
+        before = newest.get(event.name) if event.kind == "alarm" else None
+        if before is None or not _belongs(event, before):
+            if event.kind == "alarm":
+                newest[event.name] = event
+            found.append(event)
+            continue
+        times, lasted_s = before.data.get("times", 1), before.data.get("lasted_s", _lasted_s(before))
+        together_s = None if event.until_ns is None else lasted_s + _lasted_s(event)
+        before.data = {**event.data, "times": times + 1, "lasted_s": together_s}
+        before.until_ns = event.until_ns
+    return found
+
+
+def _belongs(event: Event, before: Event) -> bool:
+    if before.until_ns is None or event.t_ns - before.until_ns > _AGAIN_NS:
+        return False
+    return _lasted_s(before) < _BRIEF_S or _lasted_s(event) < _BRIEF_S
+
+
+def _lasted_s(event: Event) -> float:
+    return math.inf if event.until_ns is None else (event.until_ns - event.t_ns) * 1e-9
+
+
 def _is_lost_or_back(states: Mapping[str, object], lost: set[str]) -> bool:
     """Whether a line fell silent, or is heard again: that it was opened or closed is noted by itself."""
     silent = {line for line, state in states.items() if state == "lost"}
@@ -187,6 +236,29 @@ def _modes(flight: FlightData) -> list[Event]:
     return found
 
 
+def _known_changes(noted: list[Note]) -> list[Event]:
+    """Assisted and manual flight of the simulator's aircraft, and limits of alarms."""
+    paths, limits = surface_paths(noted)[1:], limit_changes(noted)
+    return [Event(t_ns, "mode", "assisted", {"on": path == "assisted"}) for t_ns, path in paths] + [
+        Event(t_ns, "limits", name, {"before": before, "after": after}) for t_ns, name, before, after in limits
+    ]
+
+
+def _with_resets(flight: FlightData, noted: list[Event]) -> list[Event]:
+    """The events with a jump of the simulator for each that its samples have, in place of the note of the same."""
+    found = resets(flight)
+    told = [
+        event
+        for event in noted
+        if event.kind != "jump" or not any(abs(event.t_ns - one.after_ns) < _SAME_JUMP_NS for one in found)
+    ]
+    for one in found:
+        place = one._asdict()
+        before_ns, after_ns = place.pop("before_ns"), place.pop("after_ns")
+        told.append(Event(before_ns, "jump", "", place, until_ns=after_ns))
+    return told
+
+
 def _waypoints(flight: FlightData) -> list[Event]:
     """Waypoints that a plan left for another, whichever way."""
     found = []
@@ -194,6 +266,14 @@ def _waypoints(flight: FlightData) -> list[Event]:
         for t_ns, before, after in _changes(flight, topic, "waypoint"):
             found.append(Event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
     return found
+
+
+def _simulator_silences(flight: FlightData) -> list[tuple[int, int]]:
+    """From and to (Unix ns) of the stretches without a sample of the simulator."""
+    t_s = read_field(flight, "simulator", "latitude_deg").t_s
+    t_ns = flight.start_ns + np.round(t_s * 1e9).astype(np.int64)
+    places = np.flatnonzero(np.diff(t_ns) > GAP_NS)
+    return [(int(t_ns[place]), int(t_ns[place + 1])) for place in places]
 
 
 def _bursts(damaged: list[Damage]) -> list[Event]:

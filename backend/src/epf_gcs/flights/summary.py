@@ -10,6 +10,7 @@ import numpy as np
 
 from epf_gcs.contract.flights import Thumbnail
 from epf_gcs.earth import M_PER_DEG
+from epf_gcs.flights.breaks import Span, motion_breaks, parts
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData, read_field
 from epf_gcs.flights.signals import Array
@@ -44,7 +45,7 @@ def summarise(flight: FlightData, events: list[Event]) -> FlightSummary:
         **asdict(identity),
         highest_ft=None if place is None else _extreme(place[3]),
         fastest_kt=_fastest_kt(flight),
-        distance_nm=None if place is None else _distance_nm(*place[:3]),
+        distance_nm=None if place is None else _distance_nm(place, motion_breaks(events, flight.start_ns)),
         waypoints=kinds.count("waypoint"),
         alarms=kinds.count("alarm"),
         marks=kinds.count("mark"),
@@ -92,14 +93,20 @@ def _extreme(values: Array) -> float | None:
     return round(float(known.max()), 1) if len(known) else None
 
 
-def _distance_nm(t_s: Array, latitude_deg: Array, longitude_deg: Array) -> float:
-    """The way over the ground; jumps (another route was loaded, the fix was lost) are not flown."""
+def _distance_nm(place: tuple[Array, Array, Array, Array], breaks: list[Span]) -> float:
+    """The way over the ground; what lies in a break and jumps (another route was loaded, the fix was lost) are not
+    flown."""
+    total_m = sum(_way_m(*(column[chosen] for column in place[:3])) for chosen in parts(place[0], breaks))
+    return round(total_m / M_PER_NM, 2)
+
+
+def _way_m(t_s: Array, latitude_deg: Array, longitude_deg: Array) -> float:
     north_m = np.diff(latitude_deg) * M_PER_DEG
     east_deg = (np.diff(longitude_deg) + 180.0) % 360.0 - 180.0
     step_m = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(latitude_deg[:-1])))
     elapsed_s = np.diff(t_s)
     flown = (elapsed_s <= _LONGEST_STEP_S) & (step_m <= np.maximum(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s))
-    return round(float(step_m[flown].sum()) / M_PER_NM, 2)
+    return float(step_m[flown].sum())
 
 
 def _thumbnail(

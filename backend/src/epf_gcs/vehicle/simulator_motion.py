@@ -28,15 +28,16 @@ _PAUSED_AFTER_S: Final = 0.3
 _SILENT_AFTER_S: Final = 1.0
 # As on the board: below it the aircraft counts as standing on the ground, where it does hang still.
 _FLYING_KT: Final = 20.0
-_JUMP_M: Final = 500.0
-# Of ground speed or climb to the indicated airspeed, in wind and up high.
-_FASTEST_RATIO: Final = 2.0
+JUMP_M: Final = 100.0
+"""A place that is farther away than this and what can be flown meanwhile is a jump."""
+FASTEST_RATIO: Final = 2.0
+"""Of ground speed or climb to the indicated airspeed, in wind and up high."""
 # Of jumps that follow each other at once, one is told in this time.
 _QUIET_S: Final = 1.0
 
-# A place this near is no jump, without computing how far it is: less than 500 m in each direction.
-_NEAR_DEG: Final = 0.002
-_NEAR_FT: Final = 1000.0
+# A place this near is no jump, without computing how far it is: less than 50 m in each direction.
+_NEAR_DEG: Final = 0.0004
+_NEAR_FT: Final = 150.0
 
 _PLACE: Final = ("latitude_deg", "longitude_deg", "altitude_indicated_ft")
 _INDEXES: Final = {in_our_unit(value)[0]: value.index for value in XPLANE_ROWS["xp10"][_POSITION_ROW].values}
@@ -151,8 +152,8 @@ class SimulatorMotion:
         t_s, to = now[0], Place(*now[1:])
         along_m = distance_m(*before[1:3], *now[1:3])
         way_m = math.hypot(along_m, (now[3] - before[3]) * M_PER_FT)
-        flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * MPS_PER_KT * max(0.0, t_s - before[0])
-        if way_m > _JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
+        flown_m = FASTEST_RATIO * max(self._speed_kt(), 0.0) * MPS_PER_KT * max(0.0, t_s - before[0])
+        if way_m > JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
             self._jumped_s = t_s
             self._on_jump(Jump(t_s, way_m, to))
 

@@ -11,7 +11,10 @@ import pytest
 from numpy.typing import NDArray
 
 from epf_gcs.contract.report import ReportManoeuvre
+from epf_gcs.flights.breaks import breaks_of
+from epf_gcs.flights.events import find_events
 from epf_gcs.flights.report.found import manoeuvres
+from epf_gcs.flights.report.sources import PLANS, plan_signals
 from tests.flights.test_events import MadeFlight
 
 Array = NDArray[np.float64]
@@ -77,7 +80,7 @@ class Made:
 
 def truth(kind: str, at_s: float, size: float, loop: Dynamics, rate: float | None = None) -> Truth:
     t_s = np.arange(0.0, 30.0 / (loop.frequency_rad_s * min(1.0, loop.damping)), 0.002)
-    course = loop.answer(t_s, rate)
+    course = (1.0 - loop.bias) * loop.answer(t_s, rate)
     rise_s = float(t_s[np.argmax(course >= 0.9)] - t_s[np.argmax(course >= 0.1)])
     return Truth(kind, at_s, abs(size), rise_s, 100 * max(0.0, float(course.max()) - 1), loop.damping, loop.bias * size)
 
@@ -186,10 +189,16 @@ WITHIN: Final = 0.05
 """The share of the truth by which a figure may be off."""
 
 
+def found_in(flight: MadeFlight) -> tuple[list[ReportManoeuvre], str | None]:
+    """The manoeuvres that the report finds, or why there are none."""
+    breaks = breaks_of(find_events(flight, [], []), flight.start_ns)
+    return manoeuvres(flight, [plan_signals(flight, plan, breaks) for plan in PLANS])
+
+
 def fly(count: int) -> list[Flown]:
     """Flights of one step in each loop, and what the report finds in them."""
     every = [make(seed, steps=1) for seed in range(count)]
-    return [(made, [one for one in manoeuvres(made.flight)[0] if one.kind != "leg"]) for made in every]
+    return [(made, [one for one in found_in(made.flight)[0] if one.kind != "leg"]) for made in every]
 
 
 def f1_of(flown: Sequence[Flown]) -> float:
@@ -207,12 +216,13 @@ def worst_errors(flown: Sequence[Flown]) -> dict[str, float]:
         for truth, one in matches(found, made.truths):
             assert one.rise_s is not None
             assert one.overshoot_percent is not None
-            assert one.damping is not None
+            assert one.model is not None
+            assert one.model.damping is not None
             assert one.steady_error is not None
             errors = {
                 "rise_s": one.rise_s / truth.rise_s - 1.0,
                 "overshoot": (one.overshoot_percent - truth.overshoot_percent) / 100.0,
-                "damping": one.damping / truth.damping - 1.0,
+                "damping": one.model.damping / truth.damping - 1.0,
                 "steady_error": (one.steady_error - truth.steady_error) / truth.size,
             }
             worst = {name: max(worst.get(name, 0.0), abs(error)) for name, error in errors.items()}

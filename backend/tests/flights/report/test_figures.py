@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from epf_gcs.contract.report import FlightReport, ReportAlarm, ReportDistances, ReportMark
+from epf_gcs.contract.flights import EventKind
+from epf_gcs.contract.report import FlightReport, ReportAlarm, ReportDistances, ReportEvent, ReportMark
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.report.figures import alarms, distances, pauses, round_trip, times
 from epf_gcs.flights.report.making import report
+from epf_gcs.flights.report.told import told
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.notes import Note
@@ -127,18 +129,6 @@ def test_distances_and_climb(found: FlightReport) -> None:
     )
 
 
-@pytest.mark.parametrize("away_s", [0.02, 1.0, 1.7, 30.0])
-def test_a_simulator_that_begins_anew_climbs_and_sinks_at_no_rate(away_s: float) -> None:
-    """It comes back 352 ft higher, at once or after a while; later 900 ft lower. It climbs at 300 ft/min."""
-    t_s = np.arange(0.0, 120.0, 1 / SIMULATOR_HZ)
-    altitude_ft = 500.0 + 5.0 * t_s + 352.0 * (t_s > 40.3) - 900.0 * (t_s > 80.7)
-    kept = ((t_s <= 40.3) | (t_s > 40.3 + away_s)) & ((t_s <= 80.7) | (t_s > 80.7 + away_s))
-    flight = MadeFlight({"simulator": (t_s[kept], {"altitude_msl_ft": altitude_ft[kept]})})
-    found = distances(flight, NOTHING)
-    assert found.climb_most_ft_min == near(300.0, rel=0.01)
-    assert found.sink_most_ft_min == 0.0
-
-
 def test_the_battery_at_both_ends_and_what_it_lost_each_hour(found: FlightReport) -> None:
     assert found.battery is not None
     assert found.battery.begin_v == near(12.6 - 5.0 / 300.0, abs=0.01)
@@ -181,6 +171,41 @@ def test_an_alarm_that_came_again_and_again_is_one_with_its_count() -> None:
     assert (open_end.count, open_end.lasted_s) == (3, None)
 
 
+def test_an_alarm_whose_brief_soundings_are_one_event_is_counted_with_each() -> None:
+    data = {"level": "warning", "times": 3, "lasted_s": 0.3}
+    again = Event(20 * 10**9, "alarm", "hil_lost", {}, 21 * 10**9)
+    (one,) = alarms([Event(10**9, "alarm", "hil_lost", data, 9 * 10**9), again], 0)
+    assert (one.count, one.lasted_s) == (4, near(1.3))
+
+
+def test_what_changed_or_broke_the_flight_is_told_in_order() -> None:
+    def event(at_s: float, kind: EventKind, name: str = "", until_s: float | None = None, **data: Any) -> Event:
+        return Event(round(at_s * 1e9), kind, name, data, None if until_s is None else round(until_s * 1e9))
+
+    events = [
+        event(1, "mode", "assisted", on=False),
+        event(2, "mode", "autopilot", on=True),
+        event(3, "stick", "gamepad", gamepad="Xbox", state="lost"),
+        event(4, "limits", "battery_low_v", before=10.5, after=11.0),
+        event(5, "restart"),
+        event(6, "jump", until_s=6.5, distance_m=280),
+        event(7, "gap", "silence", until_s=11),
+        event(8, "gap", "simulator", until_s=11),
+        event(9, "alarm", "simulator_paused"),
+        event(10, "alarm", "gps_lost"),
+    ]
+    assert told(events, 0) == [
+        ReportEvent("manual", 1.0, None, ""),
+        ReportEvent("stick", 3.0, None, "gamepad Xbox lost"),
+        ReportEvent("limits", 4.0, None, "battery_low_v 10.5 → 11"),
+        ReportEvent("restart", 5.0, None, ""),
+        ReportEvent("jump", 6.0, 6.5, "280 m"),
+        ReportEvent("silence", 7.0, 11.0, ""),
+        ReportEvent("simulator_silence", 8.0, 11.0, ""),
+        ReportEvent("pause", 9.0, None, ""),
+    ]
+
+
 def test_legs_say_how_far_beside_the_line_and_how_well_the_targets_were_held(found: FlightReport) -> None:
     legs = [one for one in found.manoeuvres if one.kind == "leg"]
     assert [one.waypoint for one in legs] == [1, 2, 3]
@@ -212,6 +237,19 @@ def test_a_gain_that_was_changed_stands_between_the_loop_before_and_after(found:
     assert (rudder.loop, rudder.earlier, rudder.later) == (None, None, None), "no loop answers for the rudder"
 
 
+def test_gains_that_a_restart_made_unknown_are_given_no_time_until_they_were_read_again() -> None:
+    unknown = note(100.0, notes.PARAMETERS, {"k_altura": {"value": None}, "k_pitch": {"value": None}})
+    made = circuit([gains(1.0, k_altura=0.08, k_pitch=2.4), unknown, gains(130.0, k_altura=0.06, k_pitch=2.4)])
+    found = report("a", made, NOTHING, [], np.empty(0), np.empty(0))
+    (change,) = found.gains
+    assert (change.name, change.at_s, change.before, change.after) == ("k_altura", near(130.0), 0.08, 0.06)
+    assert change.earlier is not None
+    assert change.later is not None
+    assert (change.earlier.to_s, change.later.from_s) == (near(100.0), near(130.0))
+    never = report("a", circuit([gains(1.0, k_altura=0.08), unknown]), NOTHING, [], np.empty(0), np.empty(0))
+    assert (never.gains, never.gains_known) == ([], {})
+
+
 def test_what_the_recording_cannot_tell_is_said(found: FlightReport) -> None:
     assert found.unknown == ["wind", "gaps", "file", "lost"]
     empty = report("20260101T120000Z", MadeFlight({}), NOTHING, [], np.empty(0), np.empty(0))
@@ -229,8 +267,8 @@ def test_a_battery_that_is_not_connected_is_none() -> None:
 def test_no_rate_of_climb_is_told_over_a_gap() -> None:
     t_s = np.array([0.0, 0.1, 50.0, 50.1])
     flight = MadeFlight({"gps": (t_s, {"altitude_m": np.array([0.0, 0.0, 500.0, 500.0])})})
-    assert distances(flight, NOTHING).climb_most_ft_min is None
-    assert times(flight).airborne_s is None
+    assert distances(flight, NOTHING, []).climb_most_ft_min is None
+    assert times(flight, [], []).airborne_s is None
 
 
 def test_answers_without_a_question_are_no_round_trip() -> None:

@@ -7,8 +7,7 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from epf_gcs.flights.report.found import manoeuvres
-from tests.flights.report.made import WITHIN, Flown, f1_of, fly, make, matches, near, worst_errors
+from tests.flights.report.made import WITHIN, Flown, f1_of, fly, found_in, make, matches, near, worst_errors
 from tests.flights.test_events import MadeFlight
 
 # Of the fifty that `make bench` flies: each takes a third of a second.
@@ -40,7 +39,7 @@ def test_in_gusts_with_dead_time_and_limits_each_figure_says_how_far_it_may_be_o
     given, count = Counter[str](), 0
     for seed in range(700, 720):
         made = make(seed, steps=1, hard=True)
-        found = [one for one in manoeuvres(made.flight)[0] if one.kind != "leg"]
+        found = [one for one in found_in(made.flight)[0] if one.kind != "leg"]
         pairs = matches(found, made.truths)
         assert len(pairs) == len(made.truths) == len(found)
         for truth, one in pairs:
@@ -49,13 +48,12 @@ def test_in_gusts_with_dead_time_and_limits_each_figure_says_how_far_it_may_be_o
                 ("rise_s", truth.rise_s, "rise_doubt_s", truth.rise_s),
                 ("damping", truth.damping, "damping_doubt", truth.damping),
                 ("overshoot_percent", truth.overshoot_percent, "overshoot_doubt_percent", 100.0),
-                ("steady_error", truth.steady_error, "steady_doubt", truth.size),
             ):
-                if getattr(one, name) is not None:
+                if getattr(one.model, name, None) is not None:
                     given[name] += 1
-                    off = abs(getattr(one, name) - true)
-                    held.setdefault(name, []).append(off <= getattr(one, doubt) + 0.002 * abs(whole))
-                    if getattr(one, doubt) <= WITHIN * abs(whole):
+                    off = abs(getattr(one.model, name) - true)
+                    held.setdefault(name, []).append(off <= getattr(one.model, doubt) + 0.002 * abs(whole))
+                    if getattr(one.model, doubt) <= WITHIN * abs(whole):
                         sure.setdefault(name, []).append(off <= WITHIN * abs(whole))
     print({name: (given[name], sum(right), len(sure[name]), sum(sure[name])) for name, right in held.items()})
     # 95 of 100 in the long run: of some twenty two may miss.
@@ -68,20 +66,20 @@ def test_in_gusts_with_dead_time_and_limits_each_figure_says_how_far_it_may_be_o
 
 
 def test_a_flight_without_manoeuvres_says_so() -> None:
-    assert manoeuvres(make(1, steps=0).flight) == ([], "no_changes")
+    assert found_in(make(1, steps=0).flight) == ([], "no_changes")
 
 
 def test_a_flight_without_a_plan_says_so() -> None:
     t_s = np.arange(0.0, 60.0, 0.1)
     flight = MadeFlight({"heartbeat": (t_s, {"autopilot": np.ones(len(t_s))})})
-    assert manoeuvres(flight) == ([], "no_targets")
+    assert found_in(flight) == ([], "no_targets")
 
 
 def test_what_a_hand_flew_is_no_manoeuvre_of_the_loops() -> None:
     made = make(2, steps=1)
     t_s, flags = made.flight.samples("heartbeat", "autopilot_hil")
     made.flight.replace("heartbeat", t_s, {"autopilot_hil": np.zeros(len(flags))})
-    assert manoeuvres(made.flight) == ([], "autopilot_off")
+    assert found_in(made.flight) == ([], "autopilot_off")
 
 
 def test_switching_the_autopilot_on_away_from_its_target_is_a_manoeuvre() -> None:
@@ -89,7 +87,7 @@ def test_switching_the_autopilot_on_away_from_its_target_is_a_manoeuvre() -> Non
     climbed = next(one for one in made.truths if one.kind in ("climb", "descent"))
     t_s = made.flight.samples("heartbeat", "autopilot_hil").t_s
     made.flight.replace("heartbeat", t_s, {"autopilot_hil": t_s > climbed.at_s + 0.3})
-    (one,) = (one for one in manoeuvres(made.flight)[0] if one.kind == climbed.kind)
+    (one,) = (one for one in found_in(made.flight)[0] if one.kind == climbed.kind)
     assert (one.cause, one.size) == ("engaged", near(climbed.size, rel=0.1))
 
 
@@ -103,7 +101,7 @@ def test_a_gap_in_the_samples_ends_a_manoeuvre() -> None:
         for name in ("altitude_indicated_ft", "horizontal_path_deg", "indicated_airspeed_kt")
     }
     made.flight.replace("simulator", t_s[kept], fields)
-    (one,) = (one for one in manoeuvres(made.flight)[0] if one.kind == slowed.kind)
+    (one,) = (one for one in found_in(made.flight)[0] if one.kind == slowed.kind)
     assert one.until_s == near(slowed.at_s + 1.0, abs=0.1)
     assert one.settling_s is None
 
@@ -115,6 +113,7 @@ def test_a_heading_through_north_is_the_short_way_round() -> None:
         values[:] = (values - 40.0 - 5.0) % 360.0
         assert t_s[0] >= 0.0
     (truth,) = (one for one in made.truths if one.kind.startswith("turn"))
-    (one,) = (one for one in manoeuvres(made.flight)[0] if one.kind.startswith("turn"))
+    (one,) = (one for one in found_in(made.flight)[0] if one.kind.startswith("turn"))
     assert (one.kind, one.size) == (truth.kind, near(truth.size, rel=0.01))
-    assert one.damping == near(truth.damping, rel=0.03)
+    assert one.model is not None
+    assert one.model.damping == near(truth.damping, rel=0.03)

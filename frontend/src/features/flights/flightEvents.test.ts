@@ -81,10 +81,35 @@ describe("an event", () => {
   });
 
   test("of gains names each that changed", () => {
-    const several = { parameters: [{ name: "roll_kp" }, { name: "roll_ki" }, { value: 3 }, null] };
+    const several = { parameters: { roll_kp: { value: 1 }, roll_ki: { value: null } } };
     expect(said({ kind: "parameter", data: several }).params).toEqual({ names: "roll_kp, roll_ki" });
-    expect(said({ kind: "parameter", data: { name: "roll_kp" } }).params).toEqual({ names: "roll_kp" });
     expect(said({ kind: "parameter" }).params).toEqual({ names: "?" });
+  });
+
+  test("says who moves the simulator's surfaces, and with what stick", () => {
+    expect(said({ kind: "mode", name: "assisted", data: { on: true } }).key).toBe("flightEvent.assisted");
+    expect(said({ kind: "mode", name: "assisted", data: { on: false } }).key).toBe("flightEvent.manual");
+    const gamepad = { gamepad: "Xbox", state: "live" };
+    expect(said({ kind: "stick", name: "gamepad", data: gamepad })).toEqual({
+      key: "flightEvent.stickGamepad",
+      params: { gamepad: "Xbox" },
+    });
+    expect(said({ kind: "stick", name: "gamepad", data: { ...gamepad, state: "lost" } }).key).toBe(
+      "flightEvent.stickLost",
+    );
+    expect(said({ kind: "stick", name: "simulator" }).key).toBe("flightEvent.stickSimulator");
+  });
+
+  test("of a limit says its value before and after, and of a silence whose it is", () => {
+    expect(said({ kind: "limits", name: "battery_low_v", data: { before: 10, after: 11.5 } }).params).toEqual(
+      {
+        name: "@alarmThreshold.battery_low_v",
+        before: 10,
+        after: 11.5,
+      },
+    );
+    expect(said({ kind: "gap", name: "simulator" }).key).toBe("flightEvent.simulatorGap");
+    expect(said({ kind: "gap", name: "silence" }).key).toBe("flightEvent.gap");
   });
 
   test("of the lines says the state of both, also where one is not known", () => {

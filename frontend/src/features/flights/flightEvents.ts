@@ -13,12 +13,14 @@ const GROUP_OF: Readonly<Record<string, EventGroup>> = {
   command: "command",
   parameter: "command",
   plan: "command",
+  limits: "command",
   console: "command",
   alarm: "alarm",
   advice: "advice",
   mode: "mode",
   control: "mode",
   jump: "mode",
+  stick: "mode",
   waypoint: "waypoint",
   mark: "mark",
 };
@@ -44,9 +46,7 @@ export function eventMessage(event: FlightEvent): Message {
     case "mark":
       return info("flightEvent.mark", { text: textOf(data["text"], "") });
     case "mode":
-      return info(data["on"] === true ? "flightEvent.modeOn" : "flightEvent.modeOff", {
-        mode: `@flightMode.${name}`,
-      });
+      return modeMessage(event);
     case "waypoint":
       return info("flightEvent.waypoint", {
         plan: `@flightPlan.${name}`,
@@ -58,9 +58,7 @@ export function eventMessage(event: FlightEvent): Message {
     case "console":
       return info("flightEvent.console", { text: textOf(data["text"] ?? data["line"], name) });
     case "control":
-      return name === ""
-        ? info("flightEvent.nobody")
-        : info("flightEvent.control", { name: name === THIS_COMPUTER ? "@control.station" : name });
+      return controlMessage(event);
     case "parameter":
       return info("flightEvent.parameter", { names: parameterNames(data) });
     case "link":
@@ -77,6 +75,16 @@ export function eventMessage(event: FlightEvent): Message {
       });
     case "jump":
       return info("flightEvent.jump", { distance_m: numberOf(data["distance_m"]) });
+    case "stick":
+      return stickMessage(event);
+    case "limits":
+      return info("flightEvent.limits", {
+        name: `@alarmThreshold.${name}`,
+        before: numberOf(data["before"]),
+        after: numberOf(data["after"]),
+      });
+    case "gap":
+      return name === "simulator" ? info("flightEvent.simulatorGap") : info("flightEvent.gap");
     default:
       return { ...info(`flightEvent.${kind}`), fallback: `${kind} ${name}` };
   }
@@ -102,12 +110,31 @@ function commandMessage({ name, data }: FlightEvent): Message {
   }
 }
 
-/** An event of gains lists each that changed. */
+function modeMessage({ name, data }: FlightEvent): Message {
+  const isOn = data["on"] === true;
+  if (name === "assisted") {
+    return info(isOn ? "flightEvent.assisted" : "flightEvent.manual");
+  }
+  return info(isOn ? "flightEvent.modeOn" : "flightEvent.modeOff", { mode: `@flightMode.${name}` });
+}
+
+function controlMessage({ name }: FlightEvent): Message {
+  return name === ""
+    ? info("flightEvent.nobody")
+    : info("flightEvent.control", { name: name === THIS_COMPUTER ? "@control.station" : name });
+}
+
+function stickMessage({ name, data }: FlightEvent): Message {
+  if (name !== "gamepad") {
+    return info("flightEvent.stickSimulator");
+  }
+  const gamepad = textOf(data["gamepad"], "?");
+  return info(data["state"] === "lost" ? "flightEvent.stickLost" : "flightEvent.stickGamepad", { gamepad });
+}
+
+/** An event of gains has each that changed by its name. */
 function parameterNames(data: FlightEvent["data"]): string {
-  const listed = data["parameters"];
-  const names = (Array.isArray(listed) ? listed : [data])
-    .map((one: unknown) => objectOf(one)["name"])
-    .filter((name) => typeof name === "string");
+  const names = Object.keys(objectOf(data["parameters"]));
   return names.length === 0 ? "?" : names.join(", ");
 }
 

@@ -10,9 +10,11 @@ const LANE_OF: Readonly<Record<string, Lane>> = {
   console: "command",
   parameter: "command",
   plan: "command",
+  limits: "command",
   mode: "mode",
   control: "mode",
   jump: "mode",
+  stick: "mode",
   alarm: "alarm",
   damage: "alarm",
   link: "alarm",
@@ -27,7 +29,14 @@ export function laneOf({ kind }: Pick<FlightEvent, "kind">): Lane | null {
   return LANE_OF[kind] ?? null;
 }
 
-/** The first event after this moment, of those that have a lane. */
+/** An alarm that ended sooner is a blink: drawn, but nothing to go to. */
+const BRIEF_S = 0.5;
+
+function isBrief({ kind, t_s, until_s }: FlightEvent): boolean {
+  return kind === "alarm" && until_s !== null && until_s - t_s < BRIEF_S;
+}
+
+/** The first event after this moment, of those that have a lane and are no blink. */
 export function eventAfter(events: readonly FlightEvent[], at_s: number): FlightEvent | null {
   return best(events, (event) => event.at_s > at_s, -1);
 }
@@ -46,6 +55,7 @@ function best(
   for (const event of events) {
     if (
       laneOf(event) !== null &&
+      !isBrief(event) &&
       isMeant(event) &&
       (found === null || (event.at_s - found.at_s) * direction > 0)
     ) {

@@ -2,7 +2,7 @@ import { useTranslation } from "react-i18next";
 import { formatFlightTime } from "../../lib/moment";
 import type { FlightReport, ReportManoeuvre } from "../../protocol/guards.gen";
 import { FigureLabel } from "./Define";
-import { ANSWER, LEG, type ManoeuvreRow, shown } from "./figures";
+import { ANSWER, LEG, type ManoeuvreRow, MODEL, shown } from "./figures";
 import { ManoeuvrePicture } from "./ManoeuvrePicture";
 
 /** Each manoeuvre with its picture and figures, beside the like one of the other flight. */
@@ -50,12 +50,19 @@ function Card({ one, other, isCompared }: CardProps) {
       {!isLeg && one.method === "none" ? (
         <p className="report-quiet">{t("report.noFigures")}</p>
       ) : (
-        <Figures one={one} other={other} rows={isLeg ? LEG : ANSWER} />
+        <Figures one={one} other={other} rows={rowsOf(one, other)} />
       )}
-      {one.method !== "none" && <p className="report-quiet">{t(`report.method.${one.method}`)}</p>}
+      {one.is_cut && <p className="report-quiet">{t("report.cut")}</p>}
       {isCompared && other === null && <p className="report-quiet">{t("report.notInOther")}</p>}
     </>
   );
+}
+
+function rowsOf(one: ReportManoeuvre, other: ReportManoeuvre | null): readonly ManoeuvreRow[] {
+  if (one.kind === "leg") {
+    return LEG;
+  }
+  return one.model === null && (other?.model ?? null) === null ? ANSWER : [...ANSWER, ...MODEL];
 }
 
 interface FiguresProps {

@@ -180,11 +180,22 @@ describe("a manoeuvre", () => {
       "Ascenso a los 1:05 · waypoint 3",
     );
     expect(flown.textContent).toContain("al cambiar de waypoint");
-    expect(flown.textContent).toContain("Cifras del modelo de segundo orden");
     expect(within(flown).getByRole("img", { name: "Ascenso a los 1:05: señal y objetivo" })).toBeTruthy();
     expect(figures("Escalón", flown)).toEqual([["100.0 ft"]]);
     expect(figures("Sobreoscilación", flown)).toEqual([["12.2 %"]]);
+    expect(figures("Tiempo de subida del modelo", flown)).toEqual([["4.1 ± 0.2 s"]]);
     expect(figures("Amortiguamiento", flown)).toEqual([["0.55"]]);
+    expect(figures("Modelo fuera de las muestras", flown)).toEqual([["1.2 ft"]]);
+    expect(flown.textContent).not.toContain("Acabó antes");
+  });
+
+  test("that no model explains has none of a model, and one that ended early says so", async () => {
+    const cut = aManoeuvre({ model: null, is_cut: true, settling_s: null, steady_error: null });
+    await show({ no_manoeuvres: null, manoeuvres: [cut] });
+    const flown = section("Maniobras");
+    expect(figures("Error permanente", flown)).toEqual([["—"]]);
+    expect(within(flown).queryByText("Amortiguamiento")).toBeNull();
+    expect(flown.textContent).toContain("Acabó antes de que la respuesta quedara en reposo");
   });
 
   test("whose answer cannot be judged has no figures, and says why", async () => {

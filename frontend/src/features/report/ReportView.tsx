@@ -118,6 +118,19 @@ function Report({ name, report }: { readonly name: string; readonly report: Flig
       <Section title={t("report.alarms")}>
         {alarms.length === 0 ? <p>{t("report.noAlarms")}</p> : <Alarms report={report} />}
       </Section>
+      {report.events.length > 0 && (
+        <Section title={t("report.events")}>
+          <ul>
+            {report.events.map(({ kind, at_s, until_s, detail }) => (
+              <li key={`${at_s} ${kind} ${detail}`}>
+                {`${formatFlightTime(at_s)}  ${t(`report.event.${kind}`)}`}
+                {detail === "" ? "" : `: ${detail}`}
+                {until_s === null ? "" : ` (${shown(until_s - at_s, 1, "s")})`}
+              </li>
+            ))}
+          </ul>
+        </Section>
+      )}
       {marks.length > 0 && (
         <Section title={t("report.marks")}>
           <ul>

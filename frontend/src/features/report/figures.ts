@@ -25,7 +25,10 @@ export type FigureName =
   | "overshoot"
   | "settling"
   | "steady"
+  | "modelRise"
+  | "modelOvershoot"
   | "damping"
+  | "modelOff"
   | "across"
   | "altitudeError"
   | "speedError"
@@ -124,15 +127,25 @@ export function doubted(value: number | null, doubt: number | null, digits: numb
 /** The figures of an answer to a step. */
 export const ANSWER: readonly ManoeuvreRow[] = [
   ["size", ({ size, unit }) => withUnit(size, unit)],
-  ["rise", ({ rise_s, rise_doubt_s }) => doubted(rise_s, rise_doubt_s, 1, "s")],
-  [
-    "overshoot",
-    ({ overshoot_percent, overshoot_doubt_percent }) =>
-      doubted(overshoot_percent, overshoot_doubt_percent, 1, "%"),
-  ],
+  ["rise", ({ rise_s }) => shown(rise_s, 1, "s")],
+  ["overshoot", ({ overshoot_percent }) => shown(overshoot_percent, 1, "%")],
   ["settling", ({ settling_s }) => shown(settling_s, 1, "s")],
   ["steady", ({ steady_error, unit }) => withUnit(steady_error, unit)],
-  ["damping", ({ damping, damping_doubt }) => doubted(damping, damping_doubt, 2)],
+];
+
+/** What a model says of the answer that it explains. */
+export const MODEL: readonly ManoeuvreRow[] = [
+  [
+    "modelRise",
+    ({ model }) => (model === null ? NOTHING : doubted(model.rise_s, model.rise_doubt_s, 1, "s")),
+  ],
+  [
+    "modelOvershoot",
+    ({ model }) =>
+      model === null ? NOTHING : doubted(model.overshoot_percent, model.overshoot_doubt_percent, 1, "%"),
+  ],
+  ["damping", ({ model }) => (model === null ? NOTHING : doubted(model.damping, model.damping_doubt, 2))],
+  ["modelOff", ({ model, unit }) => withUnit(model?.off, unit)],
 ];
 
 /** The figures of a leg; `across` has the words of both cross-track figures. */

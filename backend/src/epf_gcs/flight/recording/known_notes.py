@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
 from epf_gcs import __version__
@@ -12,7 +13,7 @@ from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.recording.flight_notes import FlightNotes
-from epf_gcs.recordings.notes import IDENTITY, LINE, PARAMETERS, PLAN
+from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, PARAMETERS, PLAN
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.parameters import gain_state
 
@@ -76,6 +77,10 @@ class KnownNotes:
         self._notes.know(
             PARAMETERS, {name: asdict(gain_state(name, one)) for name, one in self._parameters.held.items()}
         )
+
+    def limits(self, limits: Mapping[str, float]) -> None:
+        """What alarms are judged by."""
+        self._notes.know(EVENT, {"event": "limits", "data": dict(limits)}, "limits")
 
     def plan(self, plan: str, waypoints: list[Waypoint] | None) -> None:
         """A plan that was read from the board; None where it is not known any more."""

@@ -43,8 +43,13 @@ def state_requests(
     return {ReadStatus: read_status, ReadTelemetry: read_telemetry, ReadInspector: inspect}
 
 
-def alarm_requests(alarms: Alarms, battery: Callable[[Mapping[str, float]], BatteryPack | None]) -> Handlers:
-    """The alarms and their thresholds; `battery` tells what its alarm goes by with these."""
+def alarm_requests(
+    alarms: Alarms,
+    battery: Callable[[Mapping[str, float]], BatteryPack | None],
+    on_limits: Callable[[Mapping[str, float]], None],
+) -> Handlers:
+    """The alarms and their thresholds; `battery` tells what its alarm goes by with these, `on_limits` hears of new
+    ones."""
 
     def limits() -> AlarmLimits:
         return AlarmLimits(dict(alarms.thresholds), battery(alarms.thresholds))
@@ -57,6 +62,7 @@ def alarm_requests(alarms: Alarms, battery: Callable[[Mapping[str, float]], Batt
 
     async def choose(request: ChooseThresholds, _: Asker) -> AlarmLimits:
         alarms.choose(dict(request.values))
+        on_limits(alarms.thresholds)
         return limits()
 
     async def acknowledge(request: AcknowledgeAlarm, _: Asker) -> AlarmState:

@@ -19,10 +19,11 @@ from epf_gcs.contract.report import (
     ReportRoundTrip,
     ReportTimes,
 )
+from epf_gcs.flights.breaks import Span, parts
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.manoeuvres import Series
-from epf_gcs.flights.report.sources import first_of, plan_signals, read
+from epf_gcs.flights.report.sources import PlanSignals, first_of, read
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.flight_summary import FlightSummary
@@ -34,7 +35,7 @@ _AIRBORNE_KT: Final = 20.0
 # Shorter hops over that speed are not flight.
 _LEAST_FLIGHT_S: Final = 3.0
 _CLIMB_SPAN_S: Final = 2.0
-# A larger step was not flown: the simulator began anew, or another route was loaded.
+# A larger step was not flown: a receiver found its place again.
 _FASTEST_FT_S: Final = 150.0
 _LEAST_JUMP_FT: Final = 30.0
 _SPEED: Final = (
@@ -53,22 +54,23 @@ Pauses = list[tuple[int, int]]
 _END_NS: Final = 2**63 - 1
 
 
-def times(flight: FlightData) -> ReportTimes:
+def times(flight: FlightData, plans: list[PlanSignals], breaks: list[Span]) -> ReportTimes:
     """Durations in s; `airborne_s` counts the time faster than 20 kt, `autopilot_s` that with an autopilot on."""
     speed = first_of(flight, _SPEED)
+    airborne = [_longer_than(part, _AIRBORNE_KT) for part in _unbroken(speed, breaks)]
     return ReportTimes(
         started_s=flight.start_ns * _NS,
         duration_s=max(0.0, (flight.end_ns - flight.start_ns) * _NS),
-        airborne_s=_longer_than(speed, _AIRBORNE_KT),
-        autopilot_s=sum(to_s - from_s for from_s, to_s in _autopilot(flight)),
+        airborne_s=sum(airborne) if len(speed.t_s) > 1 else None,
+        autopilot_s=sum(to_s - from_s for from_s, to_s in _autopilot(plans)),
     )
 
 
-def distances(flight: FlightData, summary: FlightSummary) -> ReportDistances:
+def distances(flight: FlightData, summary: FlightSummary, breaks: list[Span]) -> ReportDistances:
     """Way over the ground, altitudes and speeds; the first three are the library's."""
     altitude = first_of(flight, _ALTITUDE)
     lowest = float(np.min(altitude.values)) if len(altitude.values) else None
-    climb, sink = _steepest(altitude)
+    climb, sink = _steepest(_unbroken(altitude, breaks))
     return ReportDistances(
         distance_nm=summary.distance_nm,
         highest_ft=summary.highest_ft,
@@ -156,13 +158,13 @@ def alarms(events: list[Event], start_ns: int) -> list[ReportAlarm]:
         if event.kind != "alarm":
             continue
         level, until_ns = event.data.get("level"), event.until_ns
-        lasted_s = None if until_ns is None else (until_ns - event.t_ns) * _NS
+        lasted_s = None if until_ns is None else event.data.get("lasted_s", (until_ns - event.t_ns) * _NS)
         one = found.get(event.name) or ReportAlarm(event.name, None, (event.t_ns - start_ns) * _NS, 0.0, 0)
         found[event.name] = replace(
             one,
             level=level if isinstance(level, str) and one.level != "critical" else one.level,
             lasted_s=None if lasted_s is None or one.lasted_s is None else one.lasted_s + lasted_s,
-            count=one.count + 1,
+            count=one.count + event.data.get("times", 1),
         )
     return list(found.values())
 
@@ -198,11 +200,10 @@ def unknown(report: FlightReport, flight: FlightData, summary: FlightSummary) ->
     return found
 
 
-def _autopilot(flight: FlightData) -> list[tuple[float, float]]:
+def _autopilot(plans: list[PlanSignals]) -> list[Span]:
     """The stretches with either autopilot on, joined."""
-    every = sorted(plan_signals(flight, "hil").flown + plan_signals(flight, "flight").flown)
-    joined: list[tuple[float, float]] = []
-    for begin, end in every:
+    joined: list[Span] = []
+    for begin, end, _ in sorted(stretch for signals in plans for stretch in signals.flown):
         if joined and begin <= joined[-1][1]:
             joined[-1] = (joined[-1][0], max(joined[-1][1], end))
         else:
@@ -210,10 +211,13 @@ def _autopilot(flight: FlightData) -> list[tuple[float, float]]:
     return joined
 
 
-def _longer_than(series: Series, least: float) -> float | None:
+def _unbroken(series: Series, breaks: list[Span]) -> list[Series]:
+    """The parts of a series between the breaks."""
+    return [Series(series.t_s[places], series.values[places]) for places in parts(series.t_s, breaks)]
+
+
+def _longer_than(series: Series, least: float) -> float:
     """The time above a value, without short peaks and without gaps."""
-    if len(series.t_s) < 2:
-        return None
     above = series.values > least
     edges = np.flatnonzero(np.diff(above.astype(np.int8)) != 0) + 1
     total = 0.0
@@ -225,16 +229,19 @@ def _longer_than(series: Series, least: float) -> float | None:
     return total
 
 
-def _steepest(altitude: Series) -> tuple[float | None, float | None]:
+def _steepest(unbroken: list[Series]) -> tuple[float | None, float | None]:
     """Highest rate of climb and of descent (ft/min, both positive) over two seconds each, without gaps and jumps."""
+    rates = [_rates(part) for whole in unbroken for part in _without_jumps(whole)]
+    every = np.concatenate(rates) if rates else np.empty(0)
+    return (max(0.0, float(every.max())), max(0.0, float(-every.min()))) if len(every) else (None, None)
+
+
+def _without_jumps(altitude: Series) -> list[Series]:
+    """A receiver that finds its place again, or was silent, did not climb."""
     elapsed_s, step_ft = np.diff(altitude.t_s), np.abs(np.diff(altitude.values))
     is_jump = (elapsed_s >= _CLIMB_SPAN_S) | (step_ft > _LEAST_JUMP_FT + _FASTEST_FT_S * elapsed_s)
     ends = [0, *(np.flatnonzero(is_jump) + 1).tolist(), len(altitude.t_s)]
-    flown = [_rates(Series(altitude.t_s[a:b], altitude.values[a:b])) for a, b in pairwise(ends)]
-    rates = np.concatenate(flown)
-    if not len(rates):
-        return None, None
-    return max(0.0, float(rates.max())), max(0.0, float(-rates.min()))
+    return [Series(altitude.t_s[a:b], altitude.values[a:b]) for a, b in pairwise(ends)]
 
 
 def _rates(altitude: Series) -> Array:

@@ -9,9 +9,19 @@ import numpy as np
 from epf_gcs.contract.report import NoManoeuvres, ReportLeg, ReportManoeuvre, ReportTrace
 from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.flight_data import FlightData
-from epf_gcs.flights.report.manoeuvres import Leg, Loop, Series, Step, answer_of, find_legs, find_steps, wrapped
+from epf_gcs.flights.report.manoeuvres import (
+    Leg,
+    Loop,
+    Series,
+    Step,
+    answer_of,
+    changed,
+    find_legs,
+    find_steps,
+    wrapped,
+)
 from epf_gcs.flights.report.response import respond
-from epf_gcs.flights.report.sources import LOOPS, PLANS, Place, PlanSignals, places, plan_signals
+from epf_gcs.flights.report.sources import LOOPS, Place, PlanSignals, places
 from epf_gcs.flights.signals import Array
 
 UNITS: Final = {"altitude": "ft", "heading": "deg", "speed": "kt"}
@@ -22,22 +32,20 @@ _BEFORE_S: Final = 3.0
 _NEAR_M: Final = 60.0
 
 
-def manoeuvres(flight: FlightData) -> tuple[list[ReportManoeuvre], NoManoeuvres | None]:
-    """All manoeuvres in order of time, and if they are missing why: `no_targets`, `autopilot_off` or `no_changes`.
-
-    Raises OSError.
+def manoeuvres(flight: FlightData, plans: list[PlanSignals]) -> tuple[list[ReportManoeuvre], NoManoeuvres | None]:
+    """All manoeuvres of both plans in order of time, and why there are none: `no_targets`, `autopilot_off` or
+    `no_changes`. Raises OSError.
     """
     found: list[ReportManoeuvre] = []
     reason: NoManoeuvres = "no_targets"
-    for plan in PLANS:
-        signals = plan_signals(flight, plan)
+    for signals in plans:
         if not any(len(target.t_s) for target in signals.targets.values()):
             continue
         if not signals.flown:
             reason = "autopilot_off" if reason == "no_targets" else reason
             continue
         reason = "no_changes"
-        changes = signals.waypoint.t_s[1:][np.diff(signals.waypoint.values) != 0]
+        changes = signals.waypoint.t_s[1:][changed(signals.waypoint)]
         for loop in LOOPS:
             target, actual = signals.targets[loop], signals.actual[loop]
             steps = find_steps(loop, target, actual, signals.flown, changes, signals.actual["speed"])
@@ -52,7 +60,7 @@ def loop_error(signals: PlanSignals, loop: Loop, from_s: float, to_s: float) -> 
     """Root mean square of target minus signal in a stretch, while the autopilot flew; None without samples."""
     target, actual = signals.targets[loop], signals.actual[loop]
     squares: list[Array] = []
-    for begin, end in signals.flown:
+    for begin, end, _ in signals.flown:
         part = actual.part(max(begin, from_s), min(end, to_s))
         error = target.at(part.t_s) - part.values
         squares.append((wrapped(error) if loop == "heading" else error) ** 2)

@@ -11,7 +11,7 @@ from epf_gcs.contract.report import ReportEffect, ReportGain, ReportManoeuvre
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.report.found import loop_error
 from epf_gcs.flights.report.manoeuvres import Loop
-from epf_gcs.flights.report.sources import PlanSignals, plan_signals
+from epf_gcs.flights.report.sources import PlanSignals
 from epf_gcs.recordings import notes
 
 _GROUPS: Final = {parameter.name: parameter.group for parameter in PARAMETERS}
@@ -22,7 +22,7 @@ KINDS: Final[dict[Loop, tuple[str, ...]]] = {
     "heading": ("turn_right", "turn_left"),
     "speed": ("faster", "slower"),
 }
-FIGURES: Final = ("rise_s", "overshoot_percent", "settling_s", "steady_error", "damping")
+FIGURES: Final = ("rise_s", "overshoot_percent", "settling_s", "steady_error")
 # Changes within this time were written together, and share what came before and after.
 _TOGETHER_S: Final = 2.0
 # Less flight than this before or after a change tells nothing of its effect.
@@ -30,19 +30,20 @@ _LEAST_S: Final = 10.0
 
 
 class GainChange(NamedTuple):
-    """A gain that was changed at `at_s`, in seconds since the flight's start."""
+    """A gain that was known to be another at `at_s`, in seconds since the flight's start. `until_s`: until when it was
+    known to be `before`, which is earlier where the board began anew meanwhile."""
 
     name: str
     at_s: float
     before: float
     after: float
+    until_s: float
 
 
-def gain_changes(flight: FlightData, manoeuvres: list[ReportManoeuvre]) -> list[ReportGain]:
+def gain_changes(flight: FlightData, plans: list[PlanSignals], manoeuvres: list[ReportManoeuvre]) -> list[ReportGain]:
     """Changes in order of time, with the loop before (since its last change) and after (until its next)."""
     changes = _changes(flight)
     end_s = (flight.end_ns - flight.start_ns) * 1e-9
-    plans = [plan_signals(flight, "hil"), plan_signals(flight, "flight")]
     flown = next((signals for signals in plans if signals.flown), plans[0])
     found = []
     for change in changes:
@@ -57,9 +58,12 @@ def gain_changes(flight: FlightData, manoeuvres: list[ReportManoeuvre]) -> list[
         to_s = min((other for other in others if other > at_s), default=end_s)
         found.append(
             ReportGain(
-                *change,
+                change.name,
+                at_s,
+                change.before,
+                change.after,
                 loop=loop,
-                earlier=None if loop is None else effect(loop, flown, manoeuvres, from_s, at_s),
+                earlier=None if loop is None else effect(loop, flown, manoeuvres, from_s, change.until_s),
                 later=None if loop is None else effect(loop, flown, manoeuvres, at_s, to_s),
             )
         )
@@ -80,8 +84,9 @@ def effect(
 
 
 def medians(manoeuvres: list[ReportManoeuvre]) -> dict[str, float | None]:
-    """The medians of each of the FIGURES."""
-    return {name: _median([getattr(one, name) for one in manoeuvres]) for name in FIGURES}
+    """The medians of each of the FIGURES, and of the damping where a model tells it."""
+    found = {name: _median([getattr(one, name) for one in manoeuvres]) for name in FIGURES}
+    return found | {"damping": _median([one.model.damping for one in manoeuvres if one.model is not None])}
 
 
 def _median(values: list[float | None]) -> float | None:
@@ -91,34 +96,40 @@ def _median(values: list[float | None]) -> float | None:
 
 
 def last_gains(flight: FlightData) -> dict[str, float]:
-    """The gains as they were known at the end."""
+    """The gains as they were known at the end; those of a board that began anew are known once they were read again."""
     known: dict[str, float] = {}
     for _, values in _noted(flight):
-        known.update(values)
+        known = {name: value for name, value in (known | values).items() if value is not None}
     return known
 
 
 def _changes(flight: FlightData) -> list[GainChange]:
+    """What is not known is no change; a value that differs once it is known again has changed at some time between."""
     known: dict[str, float] = {}
+    lost_s: dict[str, float] = {}
     found = []
     for at_s, values in _noted(flight):
         for name, value in values.items():
+            if value is None:
+                lost_s.setdefault(name, at_s)
+                continue
             before = known.get(name)
             if before is not None and before != value:
-                found.append(GainChange(name, at_s, before, value))
+                found.append(GainChange(name, at_s, before, value, lost_s.get(name, at_s)))
             known[name] = value
+            lost_s.pop(name, None)
     return found
 
 
-def _noted(flight: FlightData) -> list[tuple[float, dict[str, float]]]:
-    """The known gains of each note, and its time."""
+def _noted(flight: FlightData) -> list[tuple[float, dict[str, float | None]]]:
+    """The gains of each note, None where they were not known, and its time."""
     found = []
     for note in flight.notes():
         if note.name == notes.PARAMETERS and isinstance(note.content, dict):
             values = {
-                name: float(one["value"])
+                name: None if one.get("value") is None else float(one["value"])
                 for name, one in note.content.items()
-                if name in _GROUPS and isinstance(one, dict) and isinstance(one.get("value"), int | float)
+                if name in _GROUPS and isinstance(one, dict) and isinstance(one.get("value"), int | float | None)
             }
             found.append(((note.t_ns - flight.start_ns) * 1e-9, values))
     return found

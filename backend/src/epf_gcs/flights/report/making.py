@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from epf_gcs.contract.report import FlightReport
+from epf_gcs.flights.breaks import breaks_of, motion_breaks
 from epf_gcs.flights.events import FILE as EVENTS
 from epf_gcs.flights.events import Event, read_events
 from epf_gcs.flights.flight_data import FlightData
@@ -14,6 +15,8 @@ from epf_gcs.flights.report.compare import loops
 from epf_gcs.flights.report.figures import alarms, battery, distances, link, marks, pauses, times, unknown
 from epf_gcs.flights.report.found import manoeuvres
 from epf_gcs.flights.report.gains import gain_changes, last_gains
+from epf_gcs.flights.report.sources import PLANS, plan_signals
+from epf_gcs.flights.report.told import told
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.flight_summary import FlightSummary
@@ -38,20 +41,23 @@ def report(
 ) -> FlightReport:
     """The report of one flight, with plain values; `asked_ns` and `answered_ns` are the HIL loop's frames."""
     identity = newest_identity(note.content for note in flight.notes() if note.name == notes.IDENTITY)
-    moves, reason = manoeuvres(flight)
+    breaks, moved = breaks_of(events, flight.start_ns), motion_breaks(events, flight.start_ns)
+    plans = [plan_signals(flight, plan, breaks) for plan in PLANS]
+    moves, reason = manoeuvres(flight, plans)
     found = FlightReport(
         flight=name,
         identity=identity,
-        times=times(flight),
-        distances=distances(flight, summary),
+        times=times(flight, plans, moved),
+        distances=distances(flight, summary, moved),
         battery=battery(flight),
         link=link(summary, asked_ns, answered_ns, pauses(events)),
         alarms=alarms(events, flight.start_ns),
+        events=told(events, flight.start_ns),
         marks=marks(events, flight.start_ns),
         manoeuvres=moves,
         no_manoeuvres=reason,
         loops=loops(moves),
-        gains=gain_changes(flight, moves),
+        gains=gain_changes(flight, plans, moves),
         gains_known=last_gains(flight),
         unknown=[],
         earlier=None,

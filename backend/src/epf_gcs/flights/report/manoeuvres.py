@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from epf_gcs.flights.signals import Array
 
@@ -28,6 +30,8 @@ _BEFORE_S: Final = 0.5
 _LEAST_SPEED_KT: Final = 20.0
 # Longer without samples, and nothing is said of what happened in between.
 _LONGEST_GAP_S: Final = 2.0
+# Longer than so many usual steps of a slow stream.
+_USUAL_STEPS: Final = 3.0
 
 
 class Series(NamedTuple):
@@ -47,6 +51,15 @@ class Series(NamedTuple):
         """The samples from `from_s` to `to_s`, without the latter."""
         first, last = np.searchsorted(self.t_s, (from_s, to_s))
         return Series(self.t_s[first:last], self.values[first:last])
+
+
+class Stretch(NamedTuple):
+    """From and to of a stretch with the autopilot on. `is_engaged`: it was switched on at its begin, and not only heard
+    of after a silence, a pause or a jump."""
+
+    from_s: float
+    to_s: float
+    is_engaged: bool
 
 
 class Step(NamedTuple):
@@ -73,15 +86,14 @@ class Leg(NamedTuple):
 
 
 def find_steps(
-    loop: Loop, target: Series, actual: Series, flown: list[tuple[float, float]], waypoints: Array, speed: Series
+    loop: Loop, target: Series, actual: Series, flown: list[Stretch], waypoints: Array, speed: Series
 ) -> list[Step]:
-    """The steps of one loop. `flown`: from and to of each stretch with the autopilot on; `waypoints`: times at which
-    the plan's waypoint changed."""
+    """The steps of one loop. `waypoints`: times at which the plan's waypoint changed."""
     found: list[Step] = []
     jumps = _jumps(loop, target)
-    for from_s, to_s in flown:
+    for from_s, to_s, is_engaged in flown:
         inside = [at_s for at_s in jumps if from_s < at_s < to_s]
-        places: list[tuple[float, Cause]] = [(from_s, "engaged")]
+        places: list[tuple[float, Cause]] = [(from_s, "engaged")] if is_engaged else []
         for at_s in inside:
             is_waypoint = len(waypoints) > 0 and float(np.min(np.abs(waypoints - at_s))) <= _ONE_STEP_S
             places.append((at_s, "waypoint" if is_waypoint else "target"))
@@ -102,33 +114,51 @@ def answer_of(step: Step, target: Series, actual: Series) -> Series:
     return Series(part.t_s - step.at_s, values)
 
 
-def find_legs(waypoint: Series, flown: list[tuple[float, float]]) -> list[Leg]:
+def find_legs(waypoint: Series, flown: list[Stretch]) -> list[Leg]:
     """Stretches of flight to one waypoint, between two changes of it."""
     found = []
-    changes = np.flatnonzero(np.diff(waypoint.values) != 0) + 1
+    changes = np.flatnonzero(changed(waypoint)) + 1
     for place, after in zip(changes[:-1].tolist(), changes[1:].tolist(), strict=True):
         begin, end = float(waypoint.t_s[place]), float(waypoint.t_s[after])
-        if any(from_s <= begin and end <= to_s for from_s, to_s in flown):
+        if any(one.from_s <= begin and end <= one.to_s for one in flown):
             found.append(Leg(int(waypoint.values[place]), begin, end))
     return found
 
 
-def stretches(flag: Series) -> list[tuple[float, float]]:
-    """From and to of each stretch in which a flag is set, cut where no sample came for long."""
-    found: list[tuple[float, float]] = []
-    begin: float | None = None
-    for place, at_s in enumerate(flag.t_s.tolist()):
-        before_s = flag.t_s[place - 1] if place else at_s
-        if begin is not None and at_s - before_s > 2 * _LONGEST_GAP_S:
-            found.append((begin, float(before_s)))
-            begin = None
-        if flag.values[place] and begin is None:
-            begin = at_s
-        elif not flag.values[place] and begin is not None:
-            found.append((begin, at_s))
-            begin = None
-    if begin is not None and float(flag.t_s[-1]) > begin:
-        found.append((begin, float(flag.t_s[-1])))
+def changed(series: Series) -> NDArray[np.bool_]:
+    """Whether each sample but the first is another than the one before, without those whose time nobody saw: after a
+    silence."""
+    return np.asarray((np.diff(series.values) != 0) & _is_seen(series.t_s))
+
+
+def stretches(flag: Series) -> list[Stretch]:
+    """The stretches in which a flag is set, cut where no sample came for long."""
+    found: list[Stretch] = []
+    if not len(flag.t_s):
+        return found
+    # Whether the change to each sample, and the end behind the last, was seen.
+    is_seen = np.concatenate(([False], _is_seen(flag.t_s), [False]))
+    edges = np.flatnonzero((np.diff(flag.values) != 0) | ~is_seen[1:-1]) + 1
+    for first, after in pairwise([0, *edges.tolist(), len(flag.t_s)]):
+        begin, end = float(flag.t_s[first]), float(flag.t_s[after if is_seen[after] else after - 1])
+        if flag.values[first] and end > begin:
+            found.append(Stretch(begin, end, bool(is_seen[first])))
+    return found
+
+
+def without(flown: list[Stretch], spans: list[tuple[float, float]], *, is_engaged: bool) -> list[Stretch]:
+    """The stretches outside of these spans, in order; `is_engaged` of those that begin behind one."""
+    found: list[Stretch] = []
+    for stretch in flown:
+        rest = stretch
+        for begin, end in spans:
+            if begin >= rest.to_s or end <= rest.from_s:
+                continue
+            if begin > rest.from_s:
+                found.append(rest._replace(to_s=begin))
+            rest = Stretch(end, rest.to_s, is_engaged)
+        if rest.to_s > rest.from_s:
+            found.append(rest)
     return found
 
 
@@ -137,13 +167,20 @@ def wrapped(angle_deg: Array) -> Array:
     return np.asarray((angle_deg + 180.0) % 360.0 - 180.0)
 
 
+def _is_seen(t_s: Array) -> NDArray[np.bool_]:
+    """Whether each sample but the first came soon after the one before; a slow stream is not silent."""
+    apart_s = np.diff(t_s)
+    usual_s = float(np.median(apart_s)) if len(apart_s) else 0.0
+    return np.asarray(apart_s <= max(_LONGEST_GAP_S, _USUAL_STEPS * usual_s))
+
+
 def _jumps(loop: Loop, target: Series) -> list[float]:
     """When the target stepped. A bearing also drifts as the aircraft passes: only what jumps between two samples."""
-    change = np.diff(target.values)
+    change, is_seen = np.diff(target.values), _is_seen(target.t_s)
     if loop == "heading":
-        places = np.flatnonzero(np.abs(wrapped(change)) >= LEAST[loop] / 2) + 1
+        places = np.flatnonzero(is_seen & (np.abs(wrapped(change)) >= LEAST[loop] / 2)) + 1
         return [float(at_s) for at_s in target.t_s[places]]
-    places = np.flatnonzero(np.abs(change) > LEAST[loop] / 100) + 1
+    places = np.flatnonzero(is_seen & (np.abs(change) > LEAST[loop] / 100)) + 1
     found: list[float] = []
     last_s = -np.inf
     for at_s in target.t_s[places].tolist():

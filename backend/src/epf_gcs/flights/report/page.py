@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime
-from functools import cache
 from html import escape
-from importlib.resources import files
 from typing import Any, Final
 
-import orjson
-
-from epf_gcs.contract.report import FlightReport
+from epf_gcs.contract.report import FlightReport, ReportEvent
 from epf_gcs.flights.report.picture import picture
-from epf_gcs.flights.report.rows import ANSWER, BATTERY, LEG, LINK, TIMES, Flown, Row, clock, gain_rows
-
-Words = dict[str, Any]
+from epf_gcs.flights.report.rows import ANSWER, BATTERY, LEG, LINK, MODEL, TIMES, Flown, Row, clock, gain_rows
+from epf_gcs.flights.report.words import Words
+from epf_gcs.flights.report.words import words as words_of
 
 _STYLE: Final = """
 @page { size: A4; margin: 14mm }
@@ -40,7 +36,7 @@ dt { font-weight: 600 } dd { margin: 0 0 .4em }
 
 def page(report: FlightReport, language: str) -> str:
     """The page; every text of the recording is escaped. `language` is `es` or `en`."""
-    words = _words(language)
+    words = words_of(language)
     begun = datetime.fromtimestamp(report.times.started_s, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
     what = report.identity
     known = (what.aircraft, what.board, what.firmware, what.operator, report.flight)
@@ -51,6 +47,7 @@ def page(report: FlightReport, language: str) -> str:
         _section(words["battery"], _figures(report, BATTERY, words)) if report.battery else "",
         _section(words["link"], _figures(report, LINK, words)),
         _section(words["alarms"], _alarms(report, words)),
+        _section(words["events"], _list(_event(one, words) for one in report.events)) if report.events else "",
         _section(words["marks"], _list(f"{clock(one.at_s)}  {one.text}" for one in report.marks))
         if report.marks
         else "",
@@ -65,12 +62,6 @@ def page(report: FlightReport, language: str) -> str:
         f"<title>{escape(words['title'])} {escape(report.flight)}</title><style>{_STYLE}</style></head>"
         f"<body>{''.join(parts)}</body></html>"
     )
-
-
-@cache
-def _words(language: str) -> Words:
-    found: Words = orjson.loads(files(__package__).joinpath(f"words_gen.{language}.json").read_bytes())
-    return found
 
 
 def _section(title: str, content: str) -> str:
@@ -110,6 +101,12 @@ def _alarms(report: FlightReport, words: Words) -> str:
     )
 
 
+def _event(one: ReportEvent, words: Words) -> str:
+    lasted = "" if one.until_s is None else f" ({one.until_s - one.at_s:.1f} s)"
+    detail = f": {one.detail}" if one.detail else ""
+    return f"{clock(one.at_s)}  {words['event'][one.kind]}{detail}{lasted}"
+
+
 def _manoeuvres(report: FlightReport, words: Words) -> str:
     if report.no_manoeuvres is not None:
         return f"<p>{escape(words['why'][report.no_manoeuvres])}</p>"
@@ -121,11 +118,12 @@ def _manoeuvres(report: FlightReport, words: Words) -> str:
         kind = words["kind"][one.kind]
         at = words["at_s"].replace("{{at}}", clock(one.at_s))
         notes = [words["cause"][one.cause]]
-        if one.method != "none":
-            notes.append(words["method"][one.method])
+        if one.is_cut:
+            notes.append(words["cut"])
         content = f"<p class=quiet>{escape(words['noFigures'])}</p>"
         if one.kind == "leg" or one.method != "none":
-            rows = LEG if one.kind == "leg" else ANSWER
+            has_model = any(flown.model is not None for flown in both)
+            rows = LEG if one.kind == "leg" else ANSWER + MODEL if has_model else ANSWER
             head = [words["figure"], words["this"], *([words["otherShort"]] if other else [])]
             content = _table(head, [[words["figures"][row.name], *(row.read(flown) for flown in both)] for row in rows])
         drawn = [picture(flown, f"{kind} {at}") for flown in both]

@@ -1,8 +1,9 @@
-"""How a loop answered a step of its target: rise time, overshoot, settling, steady error and damping.
+"""How a loop answered a step of its target: rise time, overshoot, settling and steady error, read off the samples.
 
-Where a second-order model explains the samples (`fitting.py`), the figures are the model's, each with how far it may
-be off: neither noise nor a gust is taken for an overshoot. Where the answer is of another kind or cut short, they are
-read off the smoothed samples instead, and damping, which is a word of the model, is not told.
+All of it is measured against the step that was asked for, on the smoothed samples, and nothing is told of a time that
+was not flown. Beside that stands what a second-order model says (`fitting.py`), where it explains the samples and gives
+the same figures as they do: its damping, and how far each figure may be off, for neither noise nor a gust is a part of
+the model.
 """
 
 from __future__ import annotations
@@ -12,22 +13,30 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
+from epf_gcs.contract.report import ReportModel
 from epf_gcs.flights.report.fitting import Fit, Model, answer, fit
 from epf_gcs.flights.signals import Array
 
-Method = Literal["model", "measured", "none"]
+Method = Literal["samples", "none"]
 
 SETTLED: Final = 0.05
-"""The band around the final value, as a share of the change reached, in which the answer counts as settled."""
+"""The band around the target, as a share of the step, in which the answer counts as settled."""
 _LEAST_SAMPLES: Final = 12
+# With less of the step reached there is nothing to judge.
+_LEAST_REACHED: Final = 0.3
+# At rest the last quarter neither drifts by more than the band nor swings by more than this, as shares of the step.
+_QUARTER: Final = 0.75
+_MOST_SWING: Final = 0.15
+# The mean of this last part of the time is where it ended.
+_EIGHTH: Final = 0.875
 # The model explains the samples: share of their variance, and of the step's size what is left (root mean square).
 _GOOD_FIT: Final = 0.97
 _GOOD_REST: Final = 0.05
-# With less of the step reached there is nothing to judge.
-_LEAST_REACHED: Final = 0.3
-# The last and the one but last eighth of the samples: while they differ by more than the band, it is on its way.
-_ENDS: Final = ((0.875, 1.0), (0.75, 0.875))
-_NEARLY: Final = 0.25
+# So much of the model's change may still be ahead where the samples end, or its final value is a guess.
+_NEARLY: Final = 0.05
+# The model's figures are those of the samples: within this share of the rise time, and of the step.
+_SAME_RISE: Final = 0.15
+_SAME_OVERSHOOT: Final = 5.0
 # A figure that may be off by more, as a share of itself, is not told.
 _MOST_DOUBT: Final = 0.25
 
@@ -35,8 +44,8 @@ _MOST_DOUBT: Final = 0.25
 class Response(NamedTuple):
     """Times in s from the step; `final`, `steady_error` and `peak` in the signal's unit. None: cannot be told.
 
-    `rise_from_s` and `rise_to_s` are when 10 and 90 % of the change were reached. A figure lies within its doubt of the
-    true one in 95 of 100 cases; without a model no doubt is known.
+    `rise_from_s` and `rise_to_s` are when 10 and 90 % of the step were reached. `is_cut`: it ended before it came to
+    rest, so that neither the settling nor a steady error is known.
     """
 
     method: Method
@@ -49,12 +58,8 @@ class Response(NamedTuple):
     settling_s: float | None = None
     final: float | None = None
     steady_error: float | None = None
-    damping: float | None = None
-    frequency_rad_s: float | None = None
-    rise_doubt_s: float | None = None
-    overshoot_doubt_percent: float | None = None
-    steady_doubt: float | None = None
-    damping_doubt: float | None = None
+    is_cut: bool = False
+    model: ReportModel | None = None
 
 
 def respond(t_s: Array, values: Array, start: float, target: float) -> Response:
@@ -68,72 +73,47 @@ def respond(t_s: Array, values: Array, start: float, target: float) -> Response:
     if len(t_s) < _LEAST_SAMPLES or size == 0.0:
         return Response("none")
     share = (values - start) / size
-    fitted = _model_of(t_s, share)
-    method: Method
-    if fitted is not None:
-        grid_s = np.linspace(0.0, float(t_s[-1]), 4000)
-        # Peak and settling lie on the model's own course, also where the next manoeuvre cut them off.
-        begin, final, method = fitted.model.begin, fitted.model.final, "model"
-        course = answer(grid_s, fitted.model)
-    else:
-        grid_s, course = _smoothed(t_s, share)
-        last, before = (course[(grid_s >= a * grid_s[-1]) & (grid_s <= b * grid_s[-1])] for a, b in _ENDS)
-        if abs(float(np.mean(last)) - float(np.mean(before))) > SETTLED:
-            return Response("none")
-        begin, final, method = 0.0, float(np.mean(np.concatenate((before, last)))), "measured"
-    if final - begin < _LEAST_REACHED:
+    grid_s, course = _smoothed(t_s, share)
+    if float(np.max(course)) < _LEAST_REACHED:
         return Response("none")
-    found = _read_off(grid_s, (course - begin) / (final - begin))
+    found = _read_off(grid_s, course)
+    final = float(np.mean(course[grid_s >= _EIGHTH * grid_s[-1]]))
     found = found._replace(
-        method=method,
         final=start + final * size,
-        peak=None if found.peak is None else start + (begin + found.peak * (final - begin)) * size,
-        steady_error=(1.0 - final) * size if found.settling_s is not None else None,
+        peak=None if found.peak is None else start + found.peak * size,
+        steady_error=None if found.is_cut else (1.0 - final) * size,
     )
-    return found if fitted is None else _with_doubt(found, fitted, grid_s, size)
-
-
-def _with_doubt(found: Response, fitted: Fit, grid_s: Array, size: float) -> Response:
-    """With what the model tells, and how far each figure may be off; those that are hardly known are left out."""
-    model, uncertain = fitted.model, fitted.uncertain
-    rise, damping = uncertain(_figure(grid_s, "rise_s")), uncertain(lambda one: one.damping)
-    overshoot = uncertain(_figure(grid_s, "overshoot_percent"))
-    steady = uncertain(lambda one: one.final)
-    knows_rise = found.rise_s is not None and rise is not None and rise <= _MOST_DOUBT * found.rise_s
-    knows_damping = damping is not None and damping <= _MOST_DOUBT * model.damping
-    return found._replace(
-        rise_s=found.rise_s if knows_rise else None,
-        rise_doubt_s=rise if knows_rise else None,
-        damping=model.damping if knows_damping else None,
-        damping_doubt=damping if knows_damping else None,
-        frequency_rad_s=model.frequency_rad_s if knows_damping else None,
-        overshoot_doubt_percent=None if found.overshoot_percent is None else overshoot,
-        steady_doubt=None if found.steady_error is None or steady is None else steady * abs(size),
-    )
+    return found._replace(model=_model(found, t_s, share, grid_s, abs(size)))
 
 
 def _read_off(t_s: Array, share: Array) -> Response:
-    """Figures of a smooth course whose final value is 1."""
+    """Figures of a smooth course of shares of the step."""
     rise_from_s, rise_to_s = _first(t_s, share, 0.1), _first(t_s, share, 0.9)
     top = int(np.argmax(share))
     over = float(share[top]) - 1.0
+    is_cut = not _is_at_rest(t_s, share)
     outside = np.flatnonzero(np.abs(share - 1.0) > SETTLED)
-    settled = None
-    if not len(outside):
-        settled = 0.0
-    elif outside[-1] + 1 < len(t_s) and t_s[-1] - t_s[outside[-1]] > 0.05 * t_s[-1]:
-        settled = float(t_s[outside[-1] + 1])
-    has_peak = over > 1e-4 and top < len(t_s) - 1
+    settled = float(t_s[min(outside[-1] + 1, len(t_s) - 1)]) if len(outside) else 0.0
+    is_settled = not is_cut and (not len(outside) or t_s[-1] - t_s[outside[-1]] > SETTLED * t_s[-1])
     return Response(
-        "none",
+        "samples",
         rise_s=None if rise_from_s is None or rise_to_s is None else rise_to_s - rise_from_s,
         rise_from_s=rise_from_s,
         rise_to_s=rise_to_s,
-        overshoot_percent=None if rise_to_s is None else 100.0 * over if has_peak else 0.0,
-        peak=float(share[top]) if has_peak else None,
-        peak_s=float(t_s[top]) if has_peak else None,
-        settling_s=settled,
+        overshoot_percent=100.0 * max(0.0, over) if over > 0.0 or not is_cut else None,
+        peak=float(share[top]) if over > 0.0 else None,
+        peak_s=float(t_s[top]) if over > 0.0 else None,
+        settling_s=settled if is_settled else None,
+        is_cut=is_cut,
     )
+
+
+def _is_at_rest(t_s: Array, share: Array) -> bool:
+    """Whether the course neither drifts nor swings any more at its end."""
+    last = t_s >= _QUARTER * t_s[-1]
+    slope, begin = np.polyfit(t_s[last], share[last], 1)
+    swing = float(np.ptp(share[last] - (slope * t_s[last] + begin)))
+    return bool(abs(slope) * (1.0 - _QUARTER) * t_s[-1] <= SETTLED and swing <= _MOST_SWING)
 
 
 def _first(t_s: Array, share: Array, level: float) -> float | None:
@@ -148,14 +128,45 @@ def _first(t_s: Array, share: Array, level: float) -> float | None:
     return float(t_s[place - 1] + (t_s[place] - t_s[place - 1]) * (level - low) / (high - low))
 
 
-def _model_of(t_s: Array, share: Array) -> Fit | None:
+def _model(measured: Response, t_s: Array, share: Array, grid_s: Array, size: float) -> ReportModel | None:
+    """What the model says, on the time that was flown; None where it does not say what the samples do."""
+    fitted = _fitting(t_s, share)
+    if fitted is None:
+        return None
+    model, uncertain = fitted.model, fitted.uncertain
+    found = _read_off(grid_s, answer(grid_s, model))
+    rise_doubt, over_doubt = uncertain(_figure(grid_s, "rise_s")), uncertain(_figure(grid_s, "overshoot_percent"))
+    rise, over = _off(found.rise_s, measured.rise_s), _off(found.overshoot_percent, measured.overshoot_percent)
+    if rise is None or rise > max(_SAME_RISE * (measured.rise_s or 0.0), rise_doubt or 0.0):
+        return None
+    if over is not None and over > max(_SAME_OVERSHOOT, over_doubt or 0.0):
+        return None
+    damping_doubt = uncertain(lambda one: one.damping)
+    knows_rise = found.rise_s is not None and rise_doubt is not None and rise_doubt <= _MOST_DOUBT * found.rise_s
+    knows_damping = damping_doubt is not None and damping_doubt <= _MOST_DOUBT * model.damping
+    return ReportModel(
+        rise_s=found.rise_s if knows_rise else None,
+        rise_doubt_s=rise_doubt if knows_rise else None,
+        overshoot_percent=found.overshoot_percent,
+        overshoot_doubt_percent=None if found.overshoot_percent is None else over_doubt,
+        damping=model.damping if knows_damping else None,
+        damping_doubt=damping_doubt if knows_damping else None,
+        frequency_rad_s=model.frequency_rad_s if knows_damping else None,
+        off=fitted.left**0.5 * size,
+    )
+
+
+def _off(one: float | None, other: float | None) -> float | None:
+    return None if one is None or other is None else abs(one - other)
+
+
+def _fitting(t_s: Array, share: Array) -> Fit | None:
     """The model; None where none explains the samples or they end before it shows its final value."""
     found = fit(t_s, share)
     if found is None:
         return None
     model = found.model
-    # Where it is still on its way, its final value is a guess.
-    reaches = abs(float(answer(t_s[-1:], model)[0]) - model.final) < _NEARLY * abs(model.final)
+    reaches = abs(float(answer(t_s[-1:], model)[0]) - model.final) < _NEARLY * abs(model.final - model.begin)
     is_good = found.left <= (1.0 - _GOOD_FIT) * found.variance and found.left**0.5 <= _GOOD_REST * max(1.0, model.final)
     return found if is_good and reaches and 0.02 < model.damping < 8.0 and model.final > model.begin else None
 
@@ -164,8 +175,7 @@ def _figure(t_s: Array, name: str) -> Callable[[Model], float | None]:
     """One of the figures as a model gives it."""
 
     def figure(model: Model) -> float | None:
-        course = (answer(t_s, model) - model.begin) / (model.final - model.begin)
-        found: float | None = getattr(_read_off(t_s, course), name)
+        found: float | None = getattr(_read_off(t_s, answer(t_s, model)), name)
         return found
 
     return figure

@@ -13,6 +13,7 @@ from epf_gcs.contract.report import (
     ReportEffect,
     ReportLeg,
     ReportManoeuvre,
+    ReportModel,
 )
 
 _UNITS: Final = {"ft": "ft", "deg": "°", "kt": "kt", "m": "m"}
@@ -52,21 +53,15 @@ def _with_unit(value: float | None, unit: str) -> str:
     return shown(value, 2 if unit == "kt" else 1, _UNITS[unit])
 
 
-def _doubted(
-    value: Callable[[ReportManoeuvre], float | None],
-    doubt: Callable[[ReportManoeuvre], float | None],
-    digits: int,
-    unit: str = "",
-) -> Callable[[ReportManoeuvre], str]:
+def _doubted(known: float | None, off: float | None, digits: int, unit: str = "") -> str:
     """A figure and how far it may be off, with a digit more of the latter where it would be nought."""
+    if known is None or off is None:
+        return shown(known, digits, unit)
+    return f"{shown(known, digits)} ± {shown(off, digits if off >= 0.1**digits else digits + 1, unit)}"
 
-    def read(one: ReportManoeuvre) -> str:
-        known, off = value(one), doubt(one)
-        if known is None or off is None:
-            return shown(known, digits, unit)
-        return f"{shown(known, digits)} ± {shown(off, digits if off >= 0.1**digits else digits + 1, unit)}"
 
-    return read
+def _of_model(read: Callable[[ReportModel], str]) -> Callable[[ReportManoeuvre], str]:
+    return lambda one: NOTHING if one.model is None else read(one.model)
 
 
 def _battery(value: Callable[[ReportBattery], float | None], unit: str = "V") -> Callable[[Flown], str]:
@@ -116,11 +111,16 @@ LINK: Final[tuple[Row[Flown], ...]] = (
 )
 ANSWER: Final[tuple[Row[ReportManoeuvre], ...]] = (
     Row("size", lambda one: _with_unit(one.size, one.unit)),
-    Row("rise", _doubted(lambda one: one.rise_s, lambda one: one.rise_doubt_s, 1, "s")),
-    Row("overshoot", _doubted(lambda one: one.overshoot_percent, lambda one: one.overshoot_doubt_percent, 1, "%")),
+    Row("rise", lambda one: shown(one.rise_s, 1, "s")),
+    Row("overshoot", lambda one: shown(one.overshoot_percent, 1, "%")),
     Row("settling", lambda one: shown(one.settling_s, 1, "s")),
     Row("steady", lambda one: _with_unit(one.steady_error, one.unit)),
-    Row("damping", _doubted(lambda one: one.damping, lambda one: one.damping_doubt, 2)),
+)
+MODEL: Final[tuple[Row[ReportManoeuvre], ...]] = (
+    Row("modelRise", _of_model(lambda one: _doubted(one.rise_s, one.rise_doubt_s, 1, "s"))),
+    Row("modelOvershoot", _of_model(lambda one: _doubted(one.overshoot_percent, one.overshoot_doubt_percent, 1, "%"))),
+    Row("damping", _of_model(lambda one: _doubted(one.damping, one.damping_doubt, 2))),
+    Row("modelOff", lambda one: _with_unit(None if one.model is None else one.model.off, one.unit)),
 )
 LEG: Final[tuple[Row[ReportManoeuvre], ...]] = (
     Row("duration", _leg(lambda leg: clock(leg.duration_s))),

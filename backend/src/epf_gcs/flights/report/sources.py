@@ -7,8 +7,10 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 
 from epf_gcs.errors import NotFoundError
+from epf_gcs.flights.breaks import Span
 from epf_gcs.flights.flight_data import FlightData, read_field
-from epf_gcs.flights.report.manoeuvres import Loop, Series, stretches
+from epf_gcs.flights.known_changes import surface_paths
+from epf_gcs.flights.report.manoeuvres import Loop, Series, Stretch, stretches, without
 from epf_gcs.units import M_PER_FT
 
 Plan = Literal["flight", "hil"]
@@ -53,20 +55,30 @@ class PlanSignals(NamedTuple):
     actual: dict[Loop, Series]
     waypoint: Series
     distance_m: Series
-    flown: list[tuple[float, float]]
+    flown: list[Stretch]
 
 
-def plan_signals(flight: FlightData, plan: Plan) -> PlanSignals:
-    """Read them. Raises OSError."""
+def plan_signals(flight: FlightData, plan: Plan, breaks: list[Span]) -> PlanSignals:
+    """Read them. What the autopilot flew is cut at the breaks, and is not what a hand flew. Raises OSError."""
     topic = _TOPICS[plan]
+    flown = stretches(read(flight, "heartbeat", _FLAGS[plan]))
+    if plan == "hil":
+        flown = without(flown, _by_hand(flight), is_engaged=True)
     return PlanSignals(
         plan,
         {loop: read(flight, topic, field) for loop, field in _TARGETS.items()},
         {loop: first_of(flight, _ACTUAL[plan][loop]) for loop in LOOPS},
         read(flight, topic, "waypoint"),
         read(flight, topic, "distance_m"),
-        stretches(read(flight, "heartbeat", _FLAGS[plan])),
+        without(flown, breaks, is_engaged=False),
     )
+
+
+def _by_hand(flight: FlightData) -> list[Span]:
+    """The stretches in which the stick moved the simulator's surfaces, and not the board."""
+    paths = [((t_ns - flight.start_ns) * 1e-9, path) for t_ns, path in surface_paths(flight.notes())]
+    ends = [*(at_s for at_s, _ in paths), np.inf][1:]
+    return [(at_s, end_s) for (at_s, path), end_s in zip(paths, ends, strict=True) if path == "manual"]
 
 
 def read(flight: FlightData, topic: str, field: str, factor: float = 1.0) -> Series:
