@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -49,7 +49,12 @@ def datagram(at_s: float) -> bytes:
     """All rows of the simulator."""
     latitude, longitude, altitude_m = place(at_s)
     known = {"latitude_deg": latitude, "longitude_deg": longitude, "altitude_msl_ft": altitude_m / 0.3048}
-    known |= {"pitch_deg": 3.0, "roll_deg": 20.0, "true_heading_deg": at_s * 5.0 % 360.0}
+    known |= {
+        "ground_speed_kt": SPEED_M_S / 0.514444,
+        "pitch_deg": 3.0,
+        "roll_deg": 20.0,
+        "true_heading_deg": at_s * 5.0 % 360.0,
+    }
     records = []
     for number in _ROWS:
         row = [0.0] * VALUES_PER_ROW
@@ -64,17 +69,22 @@ def recording(
     stalls: tuple[tuple[float, float], ...] = (),
     seed: int = 1,
     board: Callable[[float], bytes] = lambda _: b"",
+    notes: Sequence[tuple[float, str, Any]] = (),
 ) -> bytes:
-    """A whole recording: AHRS and simulator at 50 Hz, GPS and `board` at 10 Hz, commands, plans and identity.
+    """A whole recording: AHRS and simulator at 50 Hz, GPS and `board` at 10 Hz, commands, plans, identity and `notes`.
 
     What is sent in a stall (from and to, in seconds) is read at its end, all at once.
     """
     rng, tally = random.Random(seed), Tally()
     waypoints: dict[str, Any] = {"plan": "hil", "waypoints": WAYPOINTS}
-    noted = [(IDENTITY, {"station": "1.0.0", "aircraft": "ala fija"}), (PLAN, waypoints)]
+    noted: list[tuple[float, str, Any]] = [
+        (0.0, IDENTITY, {"station": "1.0.0", "aircraft": "ala fija"}),
+        (0.0, PLAN, waypoints),
+        *notes,
+    ]
     body = opening("test", TOPICS)
-    for name, content in noted:
-        body += metadata_record(name, written(START_NS, content))
+    for at_s, name, content in noted:
+        body += metadata_record(name, written(START_NS + round(at_s * 1e9), content))
     tally.metadata_count = len(noted)
     pieces = [body]
     late: list[tuple[int, bytes]] = []

@@ -17,7 +17,8 @@ YELLOW = (255, 255, 0, 255)
 
 def samples(*rows: Sequence[float]) -> Samples:
     """Rows of time, latitude, longitude, altitude, heading, pitch, roll."""
-    return Samples(*(np.array(column, dtype=np.float64) for column in zip(*rows, strict=True)))
+    unknown = np.full((2, len(rows)), np.nan)
+    return Samples(*(np.array(column, dtype=np.float64) for column in zip(*rows, strict=True)), *unknown)
 
 
 def turned(at: tuple[float, float], attitude: tuple[float, float, float], axis: tuple[float, float, float]) -> Any:

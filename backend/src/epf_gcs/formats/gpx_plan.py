@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats.mission_file import FilePlan, Note, Place, Point, number
 from epf_gcs.formats.xml_tree import EPF, GPX, add, child, child_text, decimal, every, local, plain, xml_bytes
 from epf_gcs.units import ft_from_m, m_from_ft
+
+EVENT_TYPE: Final = "epf:"
+"""How the type of a point begins at which something happened in a flight: it is no waypoint."""
 
 
 def write_gpx(name: str, waypoints: Sequence[Waypoint]) -> bytes:
@@ -32,7 +36,7 @@ def read_gpx(root: Element) -> FilePlan:
     """
     groups = [
         *_groups(root, "rte", "rtept"),
-        list(every(root, "wpt")),
+        [point for point in every(root, "wpt") if not (child_text(point, "type") or "").startswith(EVENT_TYPE)],
         *_groups(root, "trk", "trkpt"),
     ]
     filled = [group for group in groups if group]

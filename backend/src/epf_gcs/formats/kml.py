@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
 from typing import Final
 from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.formats.placed_event import PlacedEvent
 from epf_gcs.formats.xml_tree import KML, add, decimal, plain, xml_bytes
 from epf_gcs.units import m_from_ft
 
 MEDIA_TYPE: Final = "application/vnd.google-earth.kml+xml"
 SPEED_DATA: Final = "speed_kt"
 """Name of the ExtendedData entry that holds a waypoint's speed, for which KML has no element."""
+
+EVENT_DATA: Final = "epf_event"
+"""Name of the entry that says that a placemark is something that happened in a flight, and no waypoint."""
 
 # Colours are aabbggrr.
 TRACK_COLOUR: Final = "ff00ffff"
@@ -70,6 +75,21 @@ def add_plan(parent: Element, name: str, waypoints: Sequence[Waypoint]) -> None:
         add(point, "extrude", "1")
         add(point, "altitudeMode", "absolute")
         add(point, "coordinates", coordinates([position]))
+
+
+def add_events(parent: Element, name: str, events: Sequence[PlacedEvent]) -> None:
+    """A folder with a placemark for each event, at its time and place."""
+    folder = add(parent, "Folder")
+    add(folder, "name", plain(name))
+    for event in events:
+        placemark = add(folder, "Placemark")
+        add(placemark, "name", plain(event.name))
+        when = datetime.fromtimestamp(round(event.t_s, 3), UTC).isoformat(timespec="milliseconds")
+        add(add(placemark, "TimeStamp"), "when", when.replace("+00:00", "Z"))
+        add(add(add(placemark, "ExtendedData"), "Data", name=EVENT_DATA), "value", event.kind)
+        point = add(placemark, "Point")
+        add(point, "altitudeMode", "absolute")
+        add(point, "coordinates", coordinates([(event.latitude_deg, event.longitude_deg, event.altitude_m)]))
 
 
 def _line_style(style: Element, colour: str, width: int) -> None:

@@ -8,7 +8,7 @@ from typing import Final, NamedTuple
 from xml.etree.ElementTree import Element
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.formats.kml import SPEED_DATA, add_plan, add_styles, document, kml_bytes
+from epf_gcs.formats.kml import EVENT_DATA, SPEED_DATA, add_plan, add_styles, document, kml_bytes
 from epf_gcs.formats.mission_file import (
     MAX_WAYPOINTS,
     FileFault,
@@ -103,8 +103,8 @@ def _as_flown(shapes: list[_Shape], notes: list[Note]) -> tuple[list[Point], lis
 def _pins(root: Element) -> Iterator[_Pin]:
     for nth, placemark in enumerate(every(root, "Placemark"), 1):
         point = child(placemark, "Point")
-        if point is not None:
-            yield _Pin(Place("Placemark", nth), point, _speed_text(placemark))
+        if point is not None and _data(placemark, EVENT_DATA) is None:
+            yield _Pin(Place("Placemark", nth), point, _data(placemark, SPEED_DATA))
 
 
 def _pin_shape(pin: _Pin) -> _Shape:
@@ -115,10 +115,11 @@ def _pin_shape(pin: _Pin) -> _Shape:
     return shape._replace(points=[found._replace(place=pin.place, speed_kt=speed_kt) for found in shape.points])
 
 
-def _speed_text(placemark: Element) -> str | None:
+def _data(placemark: Element, name: str) -> str | None:
+    """The entry of the placemark's own data; None if it has none of this name."""
     extended = child(placemark, "ExtendedData")
     for data in () if extended is None else every(extended, "Data"):
-        if data.get("name") == SPEED_DATA:
+        if data.get("name") == name:
             return child_text(data, "value") or ""
     return None
 

@@ -23,6 +23,9 @@ class Words(NamedTuple):
     speed: str
     heading: str
     thinned: str
+    events: str
+    mark: str
+    waypoint: str
 
 
 WORDS: Final[dict[Language, Words]] = {
@@ -40,6 +43,9 @@ WORDS: Final[dict[Language, Words]] = {
         speed="Velocidad",
         heading="Rumbo",
         thinned="Con menos puntos: ninguna muestra queda a más de {deviation_m:.0f} m del recorrido a su hora.",
+        events="Lo que pasó",
+        mark="Marca",
+        waypoint="Waypoint",
     ),
     "en": Words(
         station="EPF GCS",
@@ -55,5 +61,8 @@ WORDS: Final[dict[Language, Words]] = {
         speed="Speed",
         heading="Heading",
         thinned="With fewer points: no sample is more than {deviation_m:.0f} m from the track at its time.",
+        events="What happened",
+        mark="Mark",
+        waypoint="Waypoint",
     ),
 }

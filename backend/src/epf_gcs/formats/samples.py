@@ -13,7 +13,8 @@ Column = npt.NDArray[np.float64]
 class Samples(NamedTuple):
     """Columns of equal length: Unix time, position (degrees, metres above mean sea level) and attitude of each point.
 
-    Heading clockwise from true north; pitch + nose up, roll + right wing down; all three NaN if not known.
+    Heading clockwise from true north; pitch + nose up, roll + right wing down; all three NaN if not known. Speed and
+    course over the ground (clockwise from true north) are NaN where nobody sent them.
     """
 
     t_s: Column
@@ -23,3 +24,5 @@ class Samples(NamedTuple):
     heading_deg: Column
     pitch_deg: Column
     roll_deg: Column
+    speed_mps: Column
+    course_deg: Column

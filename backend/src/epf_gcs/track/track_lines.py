@@ -84,4 +84,5 @@ def _samples(block: Block, t0_s: float, part: slice) -> Samples:
         points["longitude_1e7deg"] * _DEG,
         points["altitude_mm"] * 1e-3,
         *(np.where(unknown, np.nan, attitudes[name] * 1e-2) for name in ("heading_cdeg", "pitch_cdeg", "roll_cdeg")),
+        *np.full((2, len(points)), np.nan),
     )

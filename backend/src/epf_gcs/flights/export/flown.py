@@ -2,7 +2,7 @@
 
 What is left out: samples without a fix, repeats of the last place (a receiver that sends one place several times), and
 single points that nobody can have flown to. The track is broken into lines where data are missing or the aircraft was
-put elsewhere. So no two points of a line share a millisecond, and no step is faster than 350 m/s.
+put elsewhere. So no two points of a line share a millisecond, and no step is faster than was flown (see `pace.py`).
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
-from epf_gcs.earth import M_PER_DEG
+from epf_gcs.flights.export.pace import pace, steps_m
 from epf_gcs.flights.export.spread import Rows, Times, spread
 from epf_gcs.flights.export.stretch import ROWS, Stretch, times_of
 from epf_gcs.formats.samples import Samples
-from epf_gcs.units import M_PER_FT
+from epf_gcs.units import M_PER_FT, MPS_PER_KT
 
 Source = Literal["flight", "hil"]
 
@@ -33,27 +33,35 @@ _LEAST_JUMP_M: Final = 100.0
 _LONGEST_STEP_S: Final = 2.0
 _ATTITUDE_AGE_NS: Final = 1_000_000_000
 _COLUMNS: Final = len(Samples._fields)
-_T, _LATITUDE, _LONGITUDE = 0, 1, 2
+_T = 0
 
 
 class _Where(NamedTuple):
-    """The columns of a position, the factor of the altitude to metres, and those of the attitude with their topic."""
+    """The columns of a position, the factor of the altitude to metres, speed (kt) and course over the ground, and the
+    columns of the attitude with their topic."""
 
     topic: str
     place: tuple[str, str, str]
     to_m: float
+    motion: tuple[str, str]
     attitude_topic: str
     attitude: tuple[str, str, str]
 
 
 WHERE: Final[dict[Source, _Where]] = {
     "flight": _Where(
-        "gps", ("latitude_deg", "longitude_deg", "altitude_m"), 1.0, "ahrs", ("yaw_deg", "pitch_deg", "roll_deg")
+        "gps",
+        ("latitude_deg", "longitude_deg", "altitude_m"),
+        1.0,
+        ("speed_kt", "heading_deg"),
+        "ahrs",
+        ("yaw_deg", "pitch_deg", "roll_deg"),
     ),
     "hil": _Where(
         "simulator",
         ("latitude_deg", "longitude_deg", "altitude_msl_ft"),
         M_PER_FT,
+        ("ground_speed_kt", "horizontal_path_deg"),
         "simulator",
         ("true_heading_deg", "pitch_deg", "roll_deg"),
     ),
@@ -93,6 +101,7 @@ def flown_lines(stretch: Stretch, source: Source, aside: Path) -> list[FlownLine
         for t_ns, rows in _with_attitude(stretch, where):
             track.take(t_ns, rows)
         track.end_line()
+    pace(path, track.lines)
     return [FlownLine(path, first, end) for first, end in track.lines]
 
 
@@ -108,7 +117,7 @@ class _Track:
     _last: Rows | None = None
 
     def take(self, t_ns: Times, rows: Rows) -> None:
-        """Points in the order of the line; rows of shape (n, 7), whose times are not set yet."""
+        """Points in the order of the line; rows of shape (n, 9), whose times are not set yet."""
         if not len(t_ns):
             return
         rows[:, _T] = np.round(t_ns / 1e6) / 1e3
@@ -152,16 +161,9 @@ def _moved(rows: Rows) -> npt.NDArray[np.bool_]:
     return moved
 
 
-def _steps_m(rows: Rows) -> npt.NDArray[np.float64]:
-    north_m = np.diff(rows[:, _LATITUDE]) * M_PER_DEG
-    east_deg = (np.diff(rows[:, _LONGITUDE]) + 180.0) % 360.0 - 180.0
-    found: npt.NDArray[np.float64] = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(rows[:-1, _LATITUDE])))
-    return found
-
-
 def _jumps(rows: Rows) -> Any:
     """Whether each step is one that is not flown: the aircraft was put elsewhere."""
-    distance_m = _steps_m(rows)
+    distance_m = steps_m(rows)
     elapsed_s = np.minimum(np.diff(rows[:, _T]), _LONGEST_STEP_S)
     return (distance_m > _LEAST_JUMP_M) & (distance_m > _FASTEST_M_S * elapsed_s)
 
@@ -170,7 +172,7 @@ def _flyable(rows: Rows) -> Rows:
     """Without points that share a millisecond with the one before them, or lie further than can be flown since it."""
     while len(rows) > 1:
         elapsed_s = np.diff(rows[:, _T])
-        bad = (elapsed_s < 0.5e-3) | (_steps_m(rows) > _FASTEST_M_S * elapsed_s)
+        bad = (elapsed_s < 0.5e-3) | (steps_m(rows) > _FASTEST_M_S * elapsed_s)
         if not bad.any():
             break
         # Only the first of neighbours goes: what follows it is judged from the point that stays.
@@ -206,12 +208,14 @@ def _with_attitude(stretch: Stretch, where: _Where) -> Iterator[tuple[Times, Row
 def _points(stretch: Stretch, where: _Where) -> Iterator[tuple[Times, Rows]]:
     own = where.attitude if where.attitude_topic == where.topic else ()
     with_fix = ["fix", "valid"] if where.topic == "gps" else []
-    for batch in stretch.batches(where.topic, ["t_ns", *where.place, *own, *with_fix]):
+    for batch in stretch.batches(where.topic, ["t_ns", *where.place, *own, *where.motion, *with_fix]):
         rows = np.zeros((batch.num_rows, _COLUMNS))
         rows[:, 4:7] = np.nan
         for index, name in enumerate((*where.place, *own), 1):
             rows[:, index] = _numbers(batch, name)
         rows[:, 3] *= where.to_m
+        rows[:, 7] = _numbers(batch, where.motion[0]) * MPS_PER_KT
+        rows[:, 8] = _numbers(batch, where.motion[1])
         good = np.isfinite(rows[:, 1:4]).all(axis=1)
         if with_fix:
             good &= (_numbers(batch, "fix") > 0.0) & (_numbers(batch, "valid") == 1.0)

@@ -7,15 +7,17 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from epf_gcs.flights.events import FILE, Event, read_events
 from epf_gcs.flights.export.asked import ExportRequest, Progress, no_position
 from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
+from epf_gcs.flights.export.placed import placed_events
 from epf_gcs.flights.export.plans import plans_at
 from epf_gcs.flights.export.stretch import Stretch
 from epf_gcs.flights.export.thinning import DEVIATION_M, thinned_lines
 from epf_gcs.formats import kmz
 from epf_gcs.formats.czml import MovingTrack, czml_pieces
 from epf_gcs.formats.gpx_track import TimedTrack, gpx_track_pieces
-from epf_gcs.formats.kml_flight import FlownTrack, NamedPlan, flight_document
+from epf_gcs.formats.kml_flight import FlownTrack, NamedEvents, NamedPlan, flight_document
 from epf_gcs.formats.kml_words import WORDS
 from epf_gcs.recordings.reading import notes_of
 
@@ -49,11 +51,12 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
     names: dict[Source, str] = {"flight": words.track, "hil": words.hil_track}
     when = datetime.fromtimestamp(stretch.start_ns // 1_000_000_000, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
     title = f"{words.station}: {words.track}, {when}"
+    happened = placed_events(_events(stretch), [*tracks["hil"], *tracks["flight"]], asked.language)
     note = words.thinned.format(deviation_m=DEVIATION_M) if asked.is_thinned else None
     match asked.format:
         case "gpx":
             named = [TimedTrack(names[source], lines) for source, lines in tracks.items()]
-            return gpx_track_pieces(named, note)
+            return gpx_track_pieces(named, happened, note)
         case "czml":
             return czml_pieces(
                 title,
@@ -68,6 +71,12 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
         title,
         [FlownTrack(names[one], lines, [line.span_s() for line in lines]) for one, lines in tracks.items()],
         [NamedPlan(titles[name], waypoints) for name, waypoints in noted.items()],
+        NamedEvents(words.events, happened),
         note,
     )
     return document if asked.format == "kml" else kmz.kmz_pieces([(kmz.DOCUMENT, document)])
+
+
+def _events(stretch: Stretch) -> list[Event]:
+    path = stretch.folder / FILE
+    return read_events(path) if path.exists() else []
