@@ -259,7 +259,14 @@ def test_the_simulators_topics_have_what_live_shows(tmp_path: Path, wild: float,
     told: dict[int, dict[str, Any]] = {}
     for row in rows(folder, "xplane_rows"):
         told.setdefault(row["t_ns"], {})[str(row["row"])] = [row[f"value_{slot}"] for slot in range(8)]
-    expected = {one["t_ns"]: one["rows"] for one in viewer.heard["xplane_rows"]}
+    expected = {
+        one["t_ns"]: {
+            row: [None if value == -999.0 else value for value in eight] for row, eight in one["rows"].items()
+        }
+        for one in viewer.heard["xplane_rows"]
+    }
+    described = pq.read_schema(folder / "xplane_rows.parquet").metadata[b"description"]
+    assert b"thinned" in described
     assert repr(told) == repr(expected), "as text, for there are values that are not equal to themselves"
 
 

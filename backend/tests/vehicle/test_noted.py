@@ -7,7 +7,10 @@ from typing import Any, get_args
 
 import pytest
 
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.codec.values import meaning
 from epf_gcs.contract.answers import FlightIdentity, GainStateName
 from epf_gcs.vehicle.noted import gains_of, identity_of
 
@@ -24,7 +27,13 @@ def test_a_stations_note_is_taken_as_it_is() -> None:
         "emulated": True,
     }
     assert asdict(identity_of(note)) == note
-    assert identity_of({**note, "board": {"name": "EPF"}}) == identity_of(note)
+
+
+def test_a_board_has_the_name_that_its_capabilities_say() -> None:
+    name, version = b"EPF".ljust(16, b"\0"), b"2.0".ljust(16, b"\0")
+    (frame,) = FrameDecoder().feed(encode_telemetry("capabilities", 1, 0, name, version, 9))
+    assert isinstance(frame, Frame)
+    assert identity_of({"board": meaning(frame).values}).board == "EPF"
 
 
 @pytest.mark.parametrize("content", [None, [], "text", 1, {}])
@@ -32,7 +41,7 @@ def test_without_a_note_nothing_is_known(content: Any) -> None:
     assert identity_of(content) == FlightIdentity()
 
 
-@pytest.mark.parametrize("wrong", [1, True, [], {"name": 2}, {}])
+@pytest.mark.parametrize("wrong", [1, True, [], {"firmware_name": 2}, {}])
 def test_what_is_no_text_is_not_known(wrong: Any) -> None:
     assert identity_of(dict.fromkeys((*UNKNOWN, "more"), wrong)) == FlightIdentity(emulated=wrong is True)
 

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 from epf_gcs.contract.base import Shape
 from epf_gcs.contract.notices import Notice
+
+SLOWEST: Final = 0.01
+FASTEST: Final = 100.0
+"""The rates of play, times the real speed."""
 
 
 @dataclass(frozen=True, slots=True)

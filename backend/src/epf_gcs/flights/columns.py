@@ -19,7 +19,7 @@ from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
 from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
 from epf_gcs.flights.convert import T_NS, table
-from epf_gcs.flights.datagrams import Datagrams
+from epf_gcs.flights.datagrams import RAW_ROWS, Datagrams, without_no_value
 from epf_gcs.flights.keyframes import KeyFrames
 from epf_gcs.flights.rates import Rates
 from epf_gcs.flights.tables import Tables
@@ -63,7 +63,7 @@ class Counts:
     @property
     def frames_damaged(self) -> int:
         """Failed frames alone, as live counts them."""
-        return sum(count for kind, count in self.damaged.items() if kind not in ("noise", "remains"))
+        return sum(count for kind, count in self.damaged.items() if kind not in ("noise", "remains", "text"))
 
 
 @dataclass(frozen=True)
@@ -194,7 +194,7 @@ class TableMaker:
         shown = {topic: one for topic, one in joined.items() if topic != DAMAGE and not topic.startswith(SENT)}
         self._tables.add(KEYFRAMES, self._keys.take(part, shown))
         for topic, one in joined.items():
-            self._tables.add(topic, one)
+            self._tables.add(topic, without_no_value(one) if topic == RAW_ROWS else one)
 
     def _line_changed(self, note: Note) -> None:
         """A line was opened or closed: its stream begins anew."""
@@ -239,14 +239,16 @@ class TableMaker:
             self._damaged(line, decoded.damage)
 
     def _damaged(self, line: _Line, found: list[DamageReport]) -> None:
+        # Lines of text, as the one that opens the binary mode, are no damage; live counts them apart too.
+        kinds = [one.damage.kind if one.damage.text is None else "text" for one in found]
         if line.name == "received":
-            self.counts.damaged.update(one.damage.kind for one in found)
+            self.counts.damaged.update(kinds)
         self._made.setdefault(DAMAGE, []).append(
             pa.Table.from_arrays(
                 [
                     pa.array([one.t_ns for one in found], pa.int64()),
                     pa.array([line.name] * len(found), pa.string()),
-                    pa.array([one.damage.kind for one in found], pa.string()),
+                    pa.array(kinds, pa.string()),
                     pa.array([one.damage.data for one in found], pa.binary()),
                 ],
                 schema=_DAMAGE,

@@ -19,6 +19,8 @@ _NUMPY: Final = {"f": "<f4", "d": "<f8", "i": "<i4", "I": "<u4", "h": "<i2", "H"
 _FORMAT: Final = re.compile(r"(\d*)([a-zA-Z])")
 _ARROW: Final = {"number": pa.float64(), "integer": pa.int32(), "boolean": pa.bool_(), "text": pa.string()}
 
+DESCRIPTION: Final = b"description"
+"""Key of a table's metadata that says what its readers have to know."""
 T_NS: Final = pa.field("t_ns", pa.int64(), nullable=False, metadata={"unit": "ns"})
 
 

@@ -12,11 +12,12 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 import pyarrow as pa
+import pyarrow.compute as pc
 from numpy.typing import NDArray
 
 from epf_gcs.codec.messages_gen import DATAGRAM_MAGIC, NO_VALUE, VALUES_PER_ROW, XPLANE_ROWS
 from epf_gcs.contract.base import Values
-from epf_gcs.flights.convert import T_NS
+from epf_gcs.flights.convert import DESCRIPTION, T_NS
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.vehicle.simulator_samples import SimulatorSamples
 from epf_gcs.xplane.mapping import INFO_SOURCES, NEEDED_ROWS, TRACK_NAME, TRACK_ROW, in_our_unit
@@ -49,16 +50,38 @@ INFO_UNITS: Final = {
     )
     for field, (row, name) in INFO_SOURCES.items()
 }
-SIMULATOR: Final = pa.schema([T_NS, *(pa.field(name, pa.float64(), metadata={"unit": u}) for name, u in UNITS.items())])
-INFO: Final = pa.schema(
-    [T_NS, *(pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in INFO_UNITS.items())]
-)
+
+
+def _schema(units: dict[str, str]) -> pa.Schema:
+    """Values as they came, single floats; those that are converted to our unit need more."""
+    kinds = {name: pa.float64() if unit == "rad/s" else pa.float32() for name, unit in units.items()}
+    return pa.schema([T_NS, *(pa.field(name, kinds[name], metadata={"unit": unit}) for name, unit in units.items())])
+
+
+SIMULATOR: Final = _schema(UNITS)
+INFO: Final = _schema(INFO_UNITS)
 ROWS: Final = pa.schema(
     [T_NS, pa.field("row", pa.int32(), nullable=False)]
-    + [pa.field(f"value_{index}", pa.float32()) for index in range(VALUES_PER_ROW)]
+    + [pa.field(f"value_{index}", pa.float32()) for index in range(VALUES_PER_ROW)],
+    metadata={
+        DESCRIPTION: "The simulator's rows as they came, thinned: those of one datagram every 0.2 s. The topic "
+        "simulator has the values of every datagram."
+    },
 )
+"""A value that the simulator did not have is -999, as it came, until `without_no_value`."""
 
+RAW_ROWS: Final = "xplane_rows"
 _SCHEMAS: Final = {"simulator": SIMULATOR, "xplane_info": INFO, "xplane_rows": ROWS}
+
+
+def without_no_value(rows: pa.Table) -> pa.Table:
+    """A table of raw rows in which a value that the simulator did not have is null."""
+    for index, field in enumerate(rows.schema):
+        if field.name.startswith("value_"):
+            column = rows.column(index)
+            known = pc.if_else(pc.equal(column, pa.scalar(NO_VALUE, pa.float32())), None, column)
+            rows = rows.set_column(index, field, known)
+    return rows
 
 
 class DatagramTables(NamedTuple):
@@ -133,9 +156,13 @@ class Datagrams:
         whole = {field: (TRACK_NAME if field == "yaw_deg" else name) for field, (_, name) in INFO_SOURCES.items()}
         none = np.zeros(len(t_ns))
         missing = np.ones(len(t_ns), dtype=bool)
-        arrays = [pa.array(columns.get(name, none), mask=nulls.get(name, missing)) for name in UNITS]
+        arrays = [
+            pa.array(columns.get(field.name, none).astype(_numpy(field)), mask=nulls.get(field.name, missing))
+            for field in SIMULATOR
+            if field.name in UNITS
+        ]
         pieces["simulator"].append(pa.Table.from_arrays([pa.array(t_ns), *arrays], schema=SIMULATOR))
-        info = [pa.array(columns[name]) for name in whole.values()]
+        info = [pa.array(columns[name].astype(_numpy(INFO.field(field)))) for field, name in whole.items()]
         pieces["xplane_info"].append(pa.Table.from_arrays([pa.array(t_ns), *info], schema=INFO))
         raw_shown_s = self._show_raw(t_ns, numbers, records, pieces)
         self._samples.shown(float(t_ns[-1]) * 1e-9, raw_shown_s)
@@ -214,6 +241,10 @@ class Datagrams:
             if reading is not None:
                 self._samples.show(reading)
         self._collector.move_to(pieces)
+
+
+def _numpy(field: pa.Field) -> type[Any]:
+    return np.float32 if pa.types.is_float32(field.type) else np.float64
 
 
 class _Collector:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
-
-SLOWEST: Final = 0.01
-FASTEST: Final = 100.0
+from epf_gcs.contract.playback import FASTEST, SLOWEST
 
 
 class Pace:

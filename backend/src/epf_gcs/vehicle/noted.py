@@ -44,7 +44,7 @@ def identity_of(content: Any) -> FlightIdentity:
     """The identity from its note; nothing is known without one."""
     given: Content = content if isinstance(content, dict) else {}
     board = given.get("board")
-    name = board.get("name") if isinstance(board, dict) else board
+    name = board.get("firmware_name") if isinstance(board, dict) else board
     texts = {key: given.get(key) for key in ("station", "firmware", "aircraft", "operator")}
     clean = {key: value if isinstance(value, str) else None for key, value in texts.items()}
     return FlightIdentity(

@@ -127,21 +127,26 @@ def test_play_pause_step_and_loop_are_answered_at_once(station: Gateway) -> None
 
 
 @pytest.mark.parametrize(
-    "wish",
+    ("wish", "words"),
     [
-        {"type": "stick", "elevator": 1.0},
-        {"type": "command", "name": "start"},
-        {"type": "seek", "at_s": "5"},
-        {"type": "play", "rate": -1},
-        {"type": "step", "frames": 5},
-        {"type": "loop", "from_s": 5},
-        [1],
+        ({"type": "stick", "elevator": 1.0}, "nothing can be flown"),
+        ({"type": "command", "name": "start"}, "no known type"),
+        ({"type": "seek", "at_s": "5"}, "no known type"),
+        ({"type": "play", "rate": -1}, "0.01 to 100 times"),
+        ({"type": "play", "rate": 1e9}, "0.01 to 100 times"),
+        ({"type": "play", "rate": "fast"}, "0.01 to 100 times"),
+        ({"type": "step", "frames": 5}, "no known type"),
+        ({"type": "loop", "from_s": 5}, "to a later one"),
+        ({"type": "loop", "from_s": 50, "to_s": 10}, "to a later one"),
+        ([1], "no known type"),
     ],
 )
-def test_what_is_no_wish_of_a_viewer_is_refused_in_words(station: Gateway, wish: Any) -> None:
+def test_what_is_no_wish_of_a_viewer_is_refused_in_words(station: Gateway, wish: Any, words: str) -> None:
     with station.stream(f"?flight={ID}") as stream:
         stream.send(wish)
-        assert stream.event("error")["code"] == "stream_message_invalid"
+        refused = stream.event("error")
+        assert refused["code"] == "stream_message_invalid"
+        assert words in refused["detail"]
 
 
 @pytest.mark.parametrize(

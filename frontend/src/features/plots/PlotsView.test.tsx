@@ -140,7 +140,7 @@ describe("the figures beside a plot", () => {
     open();
     await answer();
     expect(figures(1, /ahrs\.roll_deg/).slice(1, 5)).toEqual(["1.0000", "3.5000", "9.0000", "°"]);
-    expect(figures(2, /inertial\.gx_rad_s/).slice(1, 5)).toEqual(["57.296", "200.54", "515.66", "°/s"]);
+    expect(figures(2, /inertial\.gx_deg_s/).slice(1, 5)).toEqual(["57.296", "200.54", "515.66", "°/s"]);
   });
 
   test("say of a signal that the flight has not that it is missing, and do not ask for it", async () => {
@@ -316,6 +316,8 @@ test("the table of what is seen has the extremes of each step with its time", as
     "current ahrs.roll_deg [deg] min",
     "current ahrs.roll_deg [deg] max",
   ]);
+  expect(lines[0]).toContain("inertial.gx_deg_s [deg/s]");
+  expect(lines[0]).not.toContain("rad");
   expect(lines[3]).toMatch(/^2023-11-14T22:12:30\.000Z,50\.000000,3,9,/);
 });
 

@@ -8,7 +8,7 @@ import { useRefuse } from "../../ui/refusal";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { MOST_SIGNALS } from "./plotLayouts";
-import { type Derivation, derivedName, unitSymbol } from "./signalNames";
+import { type Derivation, derivedName, shownName, shownUnit, signalLabel, unitSymbol } from "./signalNames";
 import { useFeed } from "./usePlots";
 
 interface Field {
@@ -45,7 +45,9 @@ export function SignalPicker({ chosen, onAdd }: Props) {
   const found = groups
     .map(({ topic, fields }) => ({
       topic,
-      fields: fields.filter(({ name }) => `${topic}.${name}`.toLowerCase().includes(wanted)),
+      fields: fields.filter(({ name }) =>
+        [name, shownName(name)].some((one) => `${topic}.${one}`.toLowerCase().includes(wanted)),
+      ),
     }))
     .filter(({ fields }) => fields.length > 0);
   const count = found.reduce((sum, { fields }) => sum + fields.length, 0);
@@ -71,7 +73,7 @@ export function SignalPicker({ chosen, onAdd }: Props) {
                       <button
                         type="button"
                         className="plots-field"
-                        aria-label={t("plots.add", { name: signal })}
+                        aria-label={t("plots.add", { name: signalLabel(signal) })}
                         aria-disabled={isChosen || isFull || undefined}
                         onClick={() => {
                           const reason = isChosen ? t("plots.isChosen") : fullReason;
@@ -79,8 +81,8 @@ export function SignalPicker({ chosen, onAdd }: Props) {
                         }}
                       >
                         <Plus aria-hidden="true" size={12} />
-                        <span className="plots-name">{name}</span>
-                        <span className="plots-unit">{unitSymbol(unit)}</span>
+                        <span className="plots-name">{shownName(name)}</span>
+                        <span className="plots-unit">{unitSymbol(shownUnit(unit).unit)}</span>
                       </button>
                     </li>
                   );

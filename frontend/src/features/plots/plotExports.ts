@@ -1,6 +1,6 @@
 import type { PlotSeries } from "./drawn";
 import type { Stretch } from "./plotView";
-import { signalLabel, unitSymbol } from "./signalNames";
+import { shownName, signalLabel, unitSymbol } from "./signalNames";
 
 /** A signal in a file; `flight` is the one it is of. */
 export interface ExportedSignal {
@@ -21,7 +21,7 @@ export function csvOf(
   const heads: string[] = ["time_utc", "at_s"];
   for (const { flight, drawn } of signals) {
     const isThinned = drawn.low.some((value, index) => value !== drawn.high[index]);
-    const name = `${flight} ${drawn.name} [${drawn.unit}]`;
+    const name = `${flight} ${shownName(drawn.name)} [${drawn.unit}]`;
     const columns = isThinned
       ? [[`${name} min`, drawn.low] as const, [`${name} max`, drawn.high] as const]
       : [[name, drawn.low] as const];

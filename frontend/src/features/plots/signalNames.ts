@@ -35,7 +35,7 @@ export function derivedName(derivation: Derivation, operands: readonly string[])
 /** The name as people read it: "Δ a − b", "d/dt a", "ε b − a". */
 export function signalLabel(name: string): string {
   const parsed = parseSignal(name);
-  const [one = "", other = ""] = parsed?.operands ?? [];
+  const [one = "", other = ""] = (parsed?.operands ?? []).map(shownName);
   switch (parsed?.derivation) {
     case "rate":
       return `d/dt ${one}`;
@@ -44,7 +44,7 @@ export function signalLabel(name: string): string {
     case "error":
       return `${other} − ${one}`;
     default:
-      return name;
+      return shownName(name);
   }
 }
 
@@ -59,6 +59,11 @@ const SYMBOLS: ReadonlyArray<readonly [RegExp, string]> = [
 /** A unit of the definition as people write it. */
 export function unitSymbol(unit: string): string {
   return SYMBOLS.reduce((text, [pattern, symbol]) => text.replace(pattern, symbol), unit);
+}
+
+/** A signal's name with the unit that it is shown in: what was converted to degrees is not called `_rad_s`. */
+export function shownName(name: string): string {
+  return name.replace(/_rad(?=_|\b)/g, "_deg");
 }
 
 /** Rates in radians are read in degrees everywhere in the page. */

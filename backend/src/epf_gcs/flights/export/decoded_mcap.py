@@ -101,6 +101,9 @@ def _rows(batch: pa.RecordBatch) -> list[bytes]:
 def _values(column: pa.Array) -> list[Any]:
     if pa.types.is_binary(column.type):
         return [None if one is None else one.hex() for one in column.to_pylist()]
+    if pa.types.is_float32(column.type):
+        # The shortest text that is the same single float: as a double it would have twice as many digits.
+        column = column.cast(pa.string()).cast(pa.float64())
     if column.null_count or not (pa.types.is_floating(column.type) or pa.types.is_integer(column.type)):
         return column.to_pylist()  # type: ignore[no-any-return]
     return column.to_numpy().tolist()  # type: ignore[no-any-return]

@@ -13,6 +13,7 @@ import pyarrow as pa
 from epf_gcs.codec.messages_gen import COMMANDS_BY_ID, TELEMETRY, XPLANE_ROWS
 from epf_gcs.codec.tables import Message, Value
 from epf_gcs.flights.columns import SENT
+from epf_gcs.flights.convert import DESCRIPTION
 from epf_gcs.xplane.mapping import in_our_unit
 
 Schema = dict[str, Any]
@@ -80,7 +81,8 @@ def schema_of(topic: str, columns: pa.Schema) -> Schema:
     else:
         rows = _row_docs()
         properties = {one.name: _column(one, rows.get(one.name, "")) for one in columns if one.name != "t_ns"}
-        described = {}
+        about = (columns.metadata or {}).get(DESCRIPTION)
+        described = {} if about is None else {"description": about.decode()}
     return {"$schema": _DRAFT, "title": f"epf.{topic}", **described, "type": "object", "properties": properties}
 
 

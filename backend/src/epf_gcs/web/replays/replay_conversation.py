@@ -18,7 +18,18 @@ from epf_gcs.bus.definition import BusError, NamedText
 from epf_gcs.contract.events import ErrorEvent
 from epf_gcs.contract.hello import Hello
 from epf_gcs.contract.notices import Notice
-from epf_gcs.contract.playback import Loop, Pause, Play, Playback, SampleCredit, Seek, Step, Want
+from epf_gcs.contract.playback import (
+    FASTEST,
+    SLOWEST,
+    Loop,
+    Pause,
+    Play,
+    Playback,
+    SampleCredit,
+    Seek,
+    Step,
+    Want,
+)
 from epf_gcs.contract.requests import ReadInspector, ReadKnown, Request
 from epf_gcs.contract.status import Status
 from epf_gcs.errors import ErrorCode, GatewayError
@@ -201,20 +212,14 @@ class ReplayConversation:
 
     def _take_wish(self, message: Any) -> str | None:
         match message:
-            case {"type": "play", "rate": int() | float() as rate} if rate > 0:
-                return self._tell(Play(rate))
-            case {"type": "play"} if "rate" not in message:
-                return self._tell(Play(1.0))
+            case {"type": "play" | "loop"}:
+                return self._take_course(message)
             case {"type": "pause"}:
                 return self._tell(Pause())
             case {"type": "seek", "at_s": int() | float() as at_s}:
                 return self._tell(Seek(at_s))
             case {"type": "step", "frames": 1 | -1 as frames}:
                 return self._tell(Step(frames))
-            case {"type": "loop", "from_s": int() | float() as from_s, "to_s": int() | float() as to_s}:
-                return self._tell(Loop(from_s, to_s))
-            case {"type": "loop"} if "from_s" not in message and "to_s" not in message:
-                return self._tell(Loop())
             case {"type": "ask", "about": "inspector" | "known" as about}:
                 return self._ask(about)
             case {"type": "stick"}:
@@ -223,6 +228,24 @@ class ReplayConversation:
                 return (
                     "A message has no known type: send ack, rate, play, pause, seek {at_s}, step {frames}, loop or "
                     "ask {about}."
+                )
+
+    def _take_course(self, message: Any) -> str | None:
+        """How fast it goes on, and whether it repeats a stretch."""
+        match message:
+            case {"type": "play", "rate": int() | float() as rate} if SLOWEST <= rate <= FASTEST:
+                return self._tell(Play(rate))
+            case {"type": "play"} if "rate" not in message:
+                return self._tell(Play(1.0))
+            case {"type": "play"}:
+                return f"A rate of play must be {SLOWEST:g} to {FASTEST:g} times the real speed: send play {{rate}}."
+            case {"type": "loop", "from_s": int() | float() as begin, "to_s": int() | float() as end} if begin < end:
+                return self._tell(Loop(begin, end))
+            case {"type": "loop"} if "from_s" not in message and "to_s" not in message:
+                return self._tell(Loop())
+            case _:
+                return (
+                    "A loop must go from a moment to a later one: send loop {from_s, to_s} in seconds, or loop alone."
                 )
 
     def _tell(self, notice: Notice) -> str | None:
