@@ -64,10 +64,11 @@ def test_a_flight_in_the_air_answers_as_one_that_has_landed(data: Path, growing:
         {"do": "known", "at_s": 20.0},
         {"do": "span"},
         {"do": "events"},
+        {"do": "path", "source": "flight", "most": 100},
     ]
     answers = ask(data, *({**question, "growing": growing} for question in questions))
     assert all(head == {} for head, _ in answers)
-    topics, signals, overview, track, known, span, events = (body for _, body in answers)
+    topics, signals, overview, track, known, span, events, path = (body for _, body in answers)
     counted = {one["name"]: one["count"] for one in orjson.loads(topics)["topics"]}
     assert counted["ahrs"] == SECONDS * 50
     assert counted["gps"] == SECONDS * 10
@@ -82,6 +83,7 @@ def test_a_flight_in_the_air_answers_as_one_that_has_landed(data: Path, growing:
     told = orjson.loads(span)
     assert told["end_s"] - told["start_s"] == pytest.approx(SECONDS, abs=0.1)
     assert isinstance(orjson.loads(events)["events"], list)
+    assert orjson.loads(path)["points"] > 10
 
 
 def test_both_kinds_of_flight_give_the_same_values(data: Path) -> None:

@@ -11,6 +11,7 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.mission_file import MissionFile
 from epf_gcs.formats.recognise import read_plan_file, settle_plan
+from epf_gcs.formats.wpl_plan import FirstItem
 
 WAYPOINTS = st.builds(
     Waypoint,
@@ -30,9 +31,10 @@ def read(
     ground_ft: float | None = None,
     home_ft: float | None = None,
     thin: bool = False,
+    first: FirstItem | None = None,
 ) -> MissionFile:
     """As the station reads it. `ground_ft`: the same below all waypoints; None: not known."""
-    plan = read_plan_file(name, text.encode() if isinstance(text, str) else text, thin=thin)
+    plan = read_plan_file(name, text.encode() if isinstance(text, str) else text, thin=thin, first=first)
     return settle_plan(name, plan, [ground_ft] * len(plan.points), home_ft)
 
 

@@ -1,11 +1,13 @@
-"""Forty small files as other programs write them: none changes a frame, loses a point or a digit in silence.
+"""Small files as other programs write them: none changes a frame, loses a point or a digit in silence.
 
 Each row says what a person is told: the altitudes above the sea of all waypoints and the notes, or the refusal.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import io
+import zipfile
+from typing import Any, NamedTuple
 
 import orjson
 import pytest
@@ -56,9 +58,19 @@ def gpx_points(tag: str, *elevations: str) -> str:
     )
 
 
-def qgc(*items: dict[str, object], home: object = (40.0, -5.0, 200.0), **more: object) -> bytes:
-    mission = {"version": 2, "plannedHomePosition": home, "items": items, **more}
-    return orjson.dumps({"fileType": "Plan", "version": 1, "groundStation": "QGroundControl", "mission": mission})
+def qgc(
+    *items: dict[str, object], home: object = (40.0, -5.0, 200.0), fence: object = None, rally: object = None
+) -> bytes:
+    mission = {"version": 2, "plannedHomePosition": home, "items": items}
+    parts = {"mission": mission, "geoFence": fence or {}, "rallyPoints": rally or {}}
+    return orjson.dumps({"fileType": "Plan", "version": 1, "groundStation": "QGroundControl", **parts})
+
+
+def kmz(text: str, name: str = "doc.kml") -> bytes:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(name, text)
+    return file.getvalue()
 
 
 def simple(frame: int, altitude: float | None, command: int = 16, **more: object) -> dict[str, object]:
@@ -70,6 +82,10 @@ def wpl(*rows: str) -> str:
     return "QGC WPL 110\r\n" + "\r\n".join(row.replace(" ", "\t") for row in rows) + "\r\n"
 
 
+RING = "<coordinates>-5.0,40.0,0 -5.1,40.0,0 -5.1,40.1,0 -5.0,40.0,0</coordinates>"
+AREA = f"<Placemark><Polygon><outerBoundaryIs><LinearRing>{RING}</LinearRing></outerBoundaryIs></Polygon></Placemark>"
+TRIANGLE = [[40.0, -5.0], [40.0, -5.1], [40.1, -5.1]]
+SQUARE_FENCE: dict[str, Any] = {"circles": [], "polygons": [{"inclusion": True, "polygon": TRIANGLE, "version": 1}]}
 HOME = "0 1 0 16 0 0 0 0 40.0 -5.0 200 1"
 NONE: set[str] = set()
 SPEED = {"speed_missing"}
@@ -196,6 +212,13 @@ PLANS = [
         "mission_file_home_unclear",
     ),
     Row(
+        ".waypoints, item 0 that is answered to be a waypoint",
+        wpl(HOME.replace("0 1 0", "0 1 3"), "1 0 3 16 0 0 0 0 40.1 -5.1 100 1"),
+        [ft_from_m(200) + HOME_FT, M100 + HOME_FT],
+        {"altitude_from_home", *SPEED},
+        "home, item 0 a waypoint",
+    ),
+    Row(
         ".waypoints, home moved in flight",
         wpl(HOME, "1 0 0 179 1 0 0 0 0 0 0 1", "2 0 3 16 0 0 0 0 40.1 -5.1 100 1"),
         "mission_file_home_moves",
@@ -227,14 +250,38 @@ PLANS = [
         {"columns_skipped", *SPEED},
     ),
     Row("CSV, columns that nobody knows", "lat,lon,alt\n40.1,-5.1,120\n", "mission_file_header"),
-    Row(".params", "# Onboard parameters for Vehicle 1\n1\t1\tTRIM_THROTTLE\t45.000000\t9\n", "mission_file_header"),
+    Row("KMZ of Google Earth", kmz(kml(line())), [M100, M150], SPEED),
+    Row("KMZ without a KML", kmz("x", "picture.png"), "mission_file_archive"),
+    Row("KML, an area", kml(AREA), "mission_file_fence"),
+    Row("KML, an area and a path", kml(AREA + line()), [M100, M150], SPEED),
+    Row(
+        "CSV in UTF-16 with tabs",
+        "latitude_deg\tlongitude_deg\taltitude_ft\tspeed_kt\r\n40.1\t-5.1\t900\t55\r\n".encode("utf-16"),
+        [900],
+        NONE,
+    ),
+    Row(".plan, a fence alone", qgc(fence=SQUARE_FENCE), "mission_file_fence"),
+    Row(".plan, a fence and a waypoint", qgc(simple(0, 100), fence=SQUARE_FENCE), [M100], SPEED),
+    Row(".plan, rally points alone", qgc(rally={"points": [[40.1, -5.1, 50]]}), "mission_file_other"),
+    Row(".waypoints, rally points", wpl("0 1 3 5100 0 0 0 0 40.1 -5.1 50 1"), "mission_file_other"),
+    Row("rally points of MAVProxy", "RALLY 40.1 -5.1 50.0 0.0 0.0 0\n", "mission_file_other"),
+    Row("GeoJSON", '{"type": "FeatureCollection", "features": []}', "mission_file_other"),
+    Row(".params", "# Onboard parameters for Vehicle 1\n1\t1\tTRIM_THROTTLE\t45.000000\t9\n", "mission_file_other"),
+    Row(".param of Mission Planner", "ACRO_LOCKING,0\r\nAHRS_COMP_BETA,0.1\r\n", "mission_file_other"),
+    Row("a log of ArduPilot", b"\xa3\x95\x80\x80\x59FMT\0", "mission_file_other"),
+    Row("a log of PX4", b"ULog\x01\x12\x35\x01\0\0", "mission_file_other"),
+    Row("MAVLink as it was received", b"\0\x05\x8e\x1b\xaa\xbb\xcc\xdd\xfd\x09\0", "mission_file_other"),
+    Row("a recorded flight", b"\x89MCAP0\r\n\x01", "mission_file_other"),
+    Row("a picture", b"\x89PNG\r\n\x1a\n\0\0", "mission_file_unknown"),
+    Row("nothing", "", "mission_file_empty"),
 ]
 
 
 @pytest.mark.parametrize("row", PLANS, ids=[row.what for row in PLANS])
 def test_a_plan_of_another_program_is_read_whole_or_refused_in_words(row: Row) -> None:
     answers = {
-        "home_ft": HOME_FT if row.needs == "home" else None,
+        "home_ft": HOME_FT if "home" in row.needs else None,
+        "first": "waypoint" if "item 0" in row.needs else None,
         "ground_ft": GROUND_FT if row.needs == "ground" else None,
         "thin": row.needs == "track",
     }
@@ -242,6 +289,7 @@ def test_a_plan_of_another_program_is_read_whole_or_refused_in_words(row: Row) -
         with pytest.raises(InvalidInputError) as caught:
             read(row.data, **answers)  # type: ignore[arg-type]
         assert caught.value.code == row.altitudes
+        assert caught.value.detail.startswith("'file' cannot be read as a flight plan because ")
         return
     found = read(row.data, **answers)  # type: ignore[arg-type]
     assert [at.altitude_ft for at in found.waypoints] == pytest.approx(row.altitudes, abs=1e-3)
@@ -268,19 +316,34 @@ FENCES = [
     ("a circle", wpl("1 0 3 5003 250 0 0 0 40.0 -5.0 0 1"), 36, {"circle_cornered"}),
     ("an area to stay out of", wpl("1 0 3 5004 250 0 0 0 40.0 -5.0 0 1"), "fence_file_no_fence", NONE),
     ("a border that does not close", "40.0 -5.0\n40.0 -5.1\n40.1 -5.1\n40.1 -5.0\n", "fence_file_open", NONE),
-    ("a plan", wpl(HOME, "1 0 3 16 0 0 0 0 40.1 -5.1 100 1"), "fence_file_no_fence", NONE),
+    ("a plan", wpl(HOME, "1 0 3 16 0 0 0 0 40.1 -5.1 100 1"), "fence_file_plan", NONE),
+    ("a plan of QGroundControl", qgc(simple(0, 100)), "fence_file_plan", NONE),
+    ("a path of Google Earth", kml(line()), "fence_file_plan", NONE),
+    ("a plan as CSV", "latitude_deg,longitude_deg\n40.1,-5.1\n", "fence_file_plan", NONE),
+    ("parameters", "ACRO_LOCKING,0\n", "fence_file_unknown", NONE),
+    ("a polygon of QGroundControl", qgc(fence=SQUARE_FENCE), 3, NONE),
+    (
+        "a circle of QGroundControl",
+        qgc(fence={"circles": [{"inclusion": True, "circle": {"center": [40.0, -5.0], "radius": 250}}]}),
+        36,
+        {"circle_cornered"},
+    ),
+    ("an area of Google Earth, packed", kmz(kml(AREA)), 3, NONE),
+    ("a border that crosses itself", "40.0 -5.0\n40.1 -5.1\n40.1 -5.0\n40.0 -5.1\n40.0 -5.0\n", 4, {"crosses"}),
+    ("rows with commas and a remark", f"# campo\n{SQUARE.replace(' ', ', ')}", 3, NONE),
 ]
 
 
 @pytest.mark.parametrize(("what", "data", "corners", "notes"), FENCES, ids=[fence[0] for fence in FENCES])
 def test_a_fence_of_another_program_is_read_whole_or_refused_in_words(
-    what: str, data: str, corners: int | str, notes: set[str]
+    what: str, data: str | bytes, corners: int | str, notes: set[str]
 ) -> None:
+    packed = data.encode() if isinstance(data, str) else data
     if isinstance(corners, str):
         with pytest.raises(InvalidInputError) as caught:
-            read_fence_file(what, data.encode())
+            read_fence_file(what, packed)
         assert caught.value.code == corners
         return
-    found = read_fence_file(what, data.encode())
+    found = read_fence_file(what, packed)
     assert len(found.corners) == corners
     assert {note.code for note in found.notes} == notes

@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 from epf_gcs.codec.messages_gen import ROUTES
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.flights import FlownPath
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.mission_file import FileFormat
-from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS
+from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS, plan_of_path, settle_plan
 from epf_gcs.vehicle.mission import mission_fault
 from tests.formats.plans import PLANS, TWO, notes, read, refusal
 
@@ -112,7 +113,7 @@ def test_an_archive_cut_or_damaged_at_any_byte_is_refused_or_still_a_whole_plan(
         (b"{" * 100_000, "mission_file_damaged"),
         (b'{"fileType": "Plan"', "mission_file_damaged"),
         (b'{"fileType": "Plan", "mission": {"items": NaN}}', "mission_file_damaged"),
-        (b'{"type": "FeatureCollection"}', "mission_file_unknown"),
+        (b'{"type": "FeatureCollection"}', "mission_file_other"),
         (bytes(range(256)) * 20, "mission_file_unknown"),
         (b"\x7fELF" + bytes(2000), "mission_file_unknown"),
         (b"\x89PNG\r\n\x1a\n" + bytes(range(256)), "mission_file_unknown"),
@@ -161,3 +162,22 @@ def test_a_plan_that_is_too_long_says_how_long_it_may_be(format_name: FileFormat
 def test_a_kmz_of_google_earth_is_read() -> None:
     found = read(kmz("doc.kml", WRITERS["kml"]("x", TWO)))
     assert (found.format, found.waypoints, notes(found)) == ("kml", TWO, {})
+
+
+def test_a_flown_path_is_asked_about_with_its_figures_before_it_is_a_plan() -> None:
+    path = FlownPath(4000, 3, 12.34, [[28.0, -15.0, 100.0], [28.1, -15.1, 304.8]])
+    with pytest.raises(InvalidInputError) as caught:
+        plan_of_path("20260131T120000Z", path, thin=False)
+    assert caught.value.code == "mission_file_track"
+    figures = {"points": 4000, "waypoints": 2, "deviation_m": 12.3}
+    assert caught.value.params == {"name": "20260131T120000Z", **figures}
+    found = settle_plan("x", plan_of_path("x", path, thin=True))
+    assert [round(at.altitude_ft) for at in found.waypoints] == [328, 1000]
+    assert notes(found)["track_thinned"] == figures
+    assert notes(found)["track_pieces"] == {"count": 3}
+
+
+def test_a_flight_without_a_track_is_no_plan() -> None:
+    with pytest.raises(InvalidInputError) as caught:
+        settle_plan("x", plan_of_path("x", FlownPath(0, 0, 0.0, []), thin=False))
+    assert caught.value.code == "mission_file_no_waypoints"

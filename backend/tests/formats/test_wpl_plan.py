@@ -138,6 +138,26 @@ def test_a_first_item_that_may_be_home_or_a_waypoint_is_refused(frame: int) -> N
     assert refusal(wpl(first, waypoint(1, "27.94", "-15.37", "120", 0))).code == "mission_file_home_unclear"
 
 
+def test_item_0_with_the_height_of_a_waypoint_is_what_a_person_says() -> None:
+    file = wpl(HOME.replace("\t0\t16", "\t3\t16"), waypoint(1, "27.94", "-15.37", "120"))
+    as_waypoint = read(file, first="waypoint", home_ft=100.0)
+    assert [round(at.latitude_deg, 2) for at in as_waypoint.waypoints][1:] == [27.94]
+    assert len(as_waypoint.waypoints) == 2
+    assert "home_skipped" not in notes(as_waypoint)
+    as_home = read(file, first="home", home_ft=100.0)
+    assert as_home.waypoints == as_waypoint.waypoints[1:]
+    assert "home_skipped" in notes(as_home)
+    nowhere = wpl("0\t1\t3\t16\t0\t0\t0\t0\t0\t0\t0\t1", waypoint(1, "27.94", "-15.37", "120"))
+    assert len(read(nowhere, first="home", home_ft=100.0).waypoints) == 1
+    with pytest.raises(InvalidInputError):
+        read(nowhere, first="waypoint", home_ft=100.0)
+    # Its height is no altitude of home, whichever it is.
+    for first in ("home", "waypoint"):
+        with pytest.raises(InvalidInputError) as caught:
+            read(file, first=first)
+        assert caught.value.code == "mission_file_no_home"
+
+
 @pytest.mark.parametrize(
     "lines",
     [

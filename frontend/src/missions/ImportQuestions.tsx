@@ -21,12 +21,38 @@ export function ImportQuestions({ plan }: { plan: PlanName }) {
   const close = (): void => askAboutFile(missions.plans, plan, null);
   const answer = (answers: ImportAnswers): void => {
     close();
-    void missions.importFile(plan, question.file, question.asker, { ...question.answers, ...answers });
+    void missions.importPlan(plan, question.source, question.asker, { ...question.answers, ...answers });
   };
+  if (question.kind === "first") {
+    return (
+      <FirstQuestion name={question.source.name} onAnswer={(first) => answer({ first })} onClose={close} />
+    );
+  }
   return question.kind === "track" ? (
     <TrackQuestion question={question} onAnswer={() => answer({ thin: true })} onClose={close} />
   ) : (
     <HomeQuestion question={question} onAnswer={(home_ft) => answer({ home_ft })} onClose={close} />
+  );
+}
+
+interface FirstProps {
+  name: string;
+  onAnswer: (first: NonNullable<ImportAnswers["first"]>) => void;
+  onClose: () => void;
+}
+
+function FirstQuestion({ name, onAnswer, onClose }: FirstProps) {
+  const { t } = useTranslation();
+  return (
+    <ConfirmDialog
+      title={t("plans.firstTitle")}
+      text={t("plans.firstText", { file: name })}
+      confirmLabel={t("plans.firstWaypoint")}
+      other={{ label: t("plans.firstHome"), onPress: () => onAnswer("home") }}
+      cancelLabel={t("dialog.cancel")}
+      onConfirm={() => onAnswer("waypoint")}
+      onCancel={onClose}
+    />
   );
 }
 
@@ -37,12 +63,12 @@ interface TrackProps {
 }
 
 function TrackQuestion({
-  question: { file, points, waypoints, deviation_m },
+  question: { source, points, waypoints, deviation_m },
   onAnswer,
   onClose,
 }: TrackProps) {
   const { t } = useTranslation();
-  const params = { file: file.name, points, waypoints, deviation: Math.ceil(deviation_m) };
+  const params = { file: source.name, points, waypoints, deviation: Math.ceil(deviation_m) };
   return (
     <ConfirmDialog
       title={t("plans.trackTitle")}
@@ -61,7 +87,7 @@ interface HomeProps {
   onClose: () => void;
 }
 
-function HomeQuestion({ question: { file, count, ground_ft }, onAnswer, onClose }: HomeProps) {
+function HomeQuestion({ question: { source, count, ground_ft }, onAnswer, onClose }: HomeProps) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const [home_ft, setHome] = useState<number | null>(null);
@@ -74,7 +100,7 @@ function HomeQuestion({ question: { file, count, ground_ft }, onAnswer, onClose 
   return (
     <Dialog
       title={t("plans.homeTitle")}
-      description={t("plans.homeText", { file: file.name, count })}
+      description={t("plans.homeText", { file: source.name, count })}
       onClose={onClose}
       actions={
         <>

@@ -7,7 +7,7 @@ import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
 import { createAsking, info, type RequesterParts } from "../requests/asking";
 import { wordsOf } from "../store/messages";
-import { questionIn } from "./importQuestion";
+import { importPath, questionIn } from "./importQuestion";
 import {
   askAboutFile,
   boardHas,
@@ -93,11 +93,12 @@ export function createPlanActions(
       }
     },
 
-    importFile: async (plan, file, asker, answers = {}) => {
-      const home = answers.home_ft === undefined ? "" : `&home_ft=${answers.home_ft}`;
-      const path = `${PATH}/import?name=${encodeURIComponent(file.name)}${home}${answers.thin ? "&thin=true" : ""}`;
-      const asked = await rest.ask("POST", path, isMissionImport, file);
-      const question = asked.ok ? null : questionIn(asked.problem, { file, asker, answers });
+    importPlan: async (plan, source, asker, answers = {}) => {
+      const path = importPath(source, answers);
+      const asked = await ("flight" in source
+        ? rest.ask("GET", path, isMissionImport)
+        : rest.ask("POST", path, isMissionImport, source));
+      const question = asked.ok ? null : questionIn(asked.problem, { source, asker, answers });
       if (question !== null) {
         askAboutFile(plans, plan, question);
         return;
@@ -111,7 +112,7 @@ export function createPlanActions(
           fallback: code,
         }));
         notePlan(plans, plan, said);
-        const params = { file: file.name, ...span(waypoints) };
+        const params = { file: source.name, ...span(waypoints) };
         return { state: "confirmed", message: info("plans.saidImported", params) };
       });
     },

@@ -13,7 +13,7 @@ import { usePart } from "../store/hooks";
 import type { Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { BrowserStorage } from "../store/settings";
-import type { ImportAnswers, ImportQuestion } from "./importQuestion";
+import type { ImportAnswers, ImportQuestion, PlanSource } from "./importQuestion";
 import type { FlightConditions } from "./rehearsal";
 
 /** A flight plan: the draft, and the board's. */
@@ -62,8 +62,13 @@ export interface PlanActions {
   ) => Promise<Answer<MissionRehearsal>>;
   /** Make the board load one of its built-in routes, and read it. `canRead`: the board can send its plan. */
   readonly loadRoute: (route: RouteCommand, canRead: boolean, asker: Asker) => Promise<void>;
-  /** Read a file as the draft. What only a person can say about it becomes the plan's question. */
-  readonly importFile: (plan: PlanName, file: File, asker: Asker, answers?: ImportAnswers) => Promise<void>;
+  /** Read a file, or a flown track, as the draft. What only a person can say about it becomes the plan's question. */
+  readonly importPlan: (
+    plan: PlanName,
+    source: PlanSource,
+    asker: Asker,
+    answers?: ImportAnswers,
+  ) => Promise<void>;
   /** Save the draft as a file of another program. */
   readonly exportFile: (plan: PlanName, format: PlanFormat, name: string, asker: Asker) => Promise<void>;
 }

@@ -69,6 +69,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/flights/{flight_id}/marks/{mark_id}", method: "DELETE", tag: "flights", least: "operator", control: false },
   { path: "/flights/{flight_id}/marks/{mark_id}", method: "PATCH", tag: "flights", least: "operator", control: false },
   { path: "/flights/{flight_id}/overview", method: "GET", tag: "flights", least: "viewer", control: false },
+  { path: "/flights/{flight_id}/plan", method: "GET", tag: "flights", least: "viewer", control: false },
   { path: "/flights/{flight_id}/report", method: "GET", tag: "flights", least: "viewer", control: false },
   { path: "/flights/{flight_id}/restore", method: "POST", tag: "flights", least: "owner", control: true },
   { path: "/flights/{flight_id}/signals", method: "GET", tag: "flights", least: "viewer", control: false },

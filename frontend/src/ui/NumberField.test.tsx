@@ -230,6 +230,16 @@ test("a field that is left shows its value and goes on asking, by keyboard too",
   expect(document.activeElement).toBe(input);
 });
 
+test("a step from a number with two readings asks too, and takes none of them", async () => {
+  const { onCommit, input, question } = askWhich();
+  await userEvent.clear(input);
+  await userEvent.type(input, "1,000{ArrowUp}");
+  expect(question()).not.toBeNull();
+  await userEvent.click(screen.getByRole("button", { name: "w-increase k_pitch" }));
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(question()).not.toBeNull();
+});
+
 test("Escape and another number take the question away", async () => {
   const { onCommit, input, question } = askWhich();
   await userEvent.clear(input);

@@ -73,6 +73,7 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   const heldText = held === null ? "" : format(held);
   // A step needs a known number: from an unknown one it would jump to the end of the range.
   const from = (draft === null ? null : parseNumber(draft)) ?? held;
+  const isUnclear = draft !== null && draft !== heldText && twoReadings(draft, minimum, maximum) !== null;
   const canStep = disabledReason === undefined && from !== null;
   const press = usePress(disabledReason ?? (from === null ? words.unknown : undefined));
   const pressEnter = usePress(disabledReason);
@@ -128,15 +129,19 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   }
 
   function move(direction: 1 | -1): void {
-    press(() => from !== null && send(stepped(from, step, direction, minimum, maximum)));
+    press(() => {
+      // From what can be two numbers there is no step.
+      if (isUnclear) finish(false);
+      else if (from !== null) send(stepped(from, step, direction, minimum, maximum));
+    });
   }
 
   function onKeyDown(event: KeyboardEvent): void {
     if (event.key === "Enter") pressEnter(() => finish(false));
     else if (event.key === "Escape") forget();
     // The question has to be there before the focus moves, so that it moves to the answers.
-    else if (event.key === "Tab" && draft !== null && twoReadings(draft, minimum, maximum) !== null) {
-      finish(false);
+    else if (event.key === "Tab") {
+      if (isUnclear) finish(false);
       return;
     } else if (event.key === "ArrowUp") move(1);
     else if (event.key === "ArrowDown") move(-1);

@@ -49,6 +49,13 @@ class TrackQuestion(FlightQuestion, frozen=True, tag="track"):
     points: int | None
 
 
+class PathQuestion(FlightQuestion, frozen=True, tag="path"):
+    """The flown track as at most so many places: `FlownPath`."""
+
+    source: Literal["flight", "hil"]
+    most: int
+
+
 class KnownQuestion(FlightQuestion, frozen=True, tag="known"):
     """Identity, gains and plans as they were known at a moment: `FlightKnowledge`."""
 
@@ -56,5 +63,12 @@ class KnownQuestion(FlightQuestion, frozen=True, tag="known"):
 
 
 AnyFlightQuestion = (
-    EventsQuestion | TopicsQuestion | SpanQuestion | SignalsQuestion | OverviewQuestion | TrackQuestion | KnownQuestion
+    EventsQuestion
+    | TopicsQuestion
+    | SpanQuestion
+    | SignalsQuestion
+    | OverviewQuestion
+    | TrackQuestion
+    | PathQuestion
+    | KnownQuestion
 )

@@ -176,6 +176,17 @@ class FlightOverview(Shape):
 
 
 @dataclass(frozen=True, slots=True)
+class FlownPath(Shape):
+    """The longest of the unbroken `pieces` of a track, which has `points`, as few `places`: latitude and longitude in
+    degrees, metres above the sea. No point is farther from the line between them than `deviation_m`."""
+
+    points: int
+    pieces: int
+    deviation_m: float
+    places: list[list[float]]
+
+
+@dataclass(frozen=True, slots=True)
 class FlightTimes(Shape):
     """Unix times of the first message and the last."""
 

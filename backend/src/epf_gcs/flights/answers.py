@@ -5,7 +5,7 @@ Every function gives what the interface sends. Times are seconds since the fligh
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 import pyarrow as pa
@@ -14,6 +14,7 @@ from epf_gcs.contract.flights import FlightOverview, FlightTopic, FlightTopics, 
 from epf_gcs.flights.derived import find
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache
+from epf_gcs.flights.flown_path import moved_rows, track_rows
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
@@ -137,28 +138,14 @@ def silence(flight: FlightData, periods: PeriodCache) -> list[list[float]]:
 
 def track(flight: FlightData, source: str, most_points: int | None) -> bytes:
     """The flown track as the page's globe reads it: header and points of `formats.track_points`."""
-    topic, altitude, factor = (
-        ("gps", "altitude_m", 1.0) if source == "flight" else ("simulator", "altitude_msl_ft", M_PER_FT)
-    )
-    columns: list[Array] = []
-    if topic in {span.name for span in flight.topics()}:
-        names = ("latitude_deg", "longitude_deg", altitude)
-        found = [flight.samples(topic, name) for name in names]
-        columns = [found[0].t_s, *(one.values for one in found)]
-        good = np.isfinite(np.stack(columns)).all(axis=0) & _has_fix(flight, topic)
-        moved = np.ones(len(good), dtype=bool)
-        places = np.stack(columns[1:])
-        moved[1:] = (places[:, 1:] != places[:, :-1]).any(axis=0)
-        columns = [column[good & moved] for column in columns]
-    count = len(columns[0]) if columns else 0
-    step = max(1, -(-count // min(most_points or _MOST_POINTS, _MOST_POINTS)))
-    points = np.zeros(-(-count // step), dtype=_POINT)
-    if count:
-        t_s, latitude_deg, longitude_deg, altitude_m = (column[::step] for column in columns)
-        points["t_ms"] = np.clip(np.round(t_s * 1e3), 0, 0xFFFFFFFF)
-        points["latitude_e7"] = np.round(latitude_deg * 1e7)
-        points["longitude_e7"] = np.round(longitude_deg * 1e7)
-        points["altitude_mm"] = np.clip(np.round(altitude_m * factor * 1e3), -0x7FFFFFFF, 0x7FFFFFFF)
+    rows = moved_rows(track_rows(flight, source))
+    step = max(1, -(-len(rows) // min(most_points or _MOST_POINTS, _MOST_POINTS)))
+    points = np.zeros(-(-len(rows) // step), dtype=_POINT)
+    t_s, latitude_deg, longitude_deg, altitude_m = rows[::step].T
+    points["t_ms"] = np.clip(np.round(t_s * 1e3), 0, 0xFFFFFFFF)
+    points["latitude_e7"] = np.round(latitude_deg * 1e7)
+    points["longitude_e7"] = np.round(longitude_deg * 1e7)
+    points["altitude_mm"] = np.clip(np.round(altitude_m * 1e3), -0x7FFFFFFF, 0x7FFFFFFF)
     total = len(points)
     return points_header(epoch=0, first=0, count=total, total=total, t0_s=flight.start_ns * _NS) + points.tobytes()
 
@@ -181,13 +168,6 @@ def known(flight: FlightData, at_s: float) -> Content:
 
 def _has_values(flight: FlightData, topic: str, field: str) -> bool:
     return bool(np.isfinite(flight.samples(topic, field).values).any())
-
-
-def _has_fix(flight: FlightData, topic: str) -> Any:
-    """Without a fix a receiver sends its last position, or 0 deg N 0 deg E."""
-    if topic != "gps":
-        return True
-    return (flight.samples("gps", "valid").values == 1.0) & (flight.samples("gps", "fix").values > 0.0)
 
 
 def _means(t_s: Array, values: Array, whole_s: float, points: int) -> list[float | None]:

@@ -22,6 +22,7 @@ from epf_gcs.contract.flight_questions import (
     EventsQuestion,
     KnownQuestion,
     OverviewQuestion,
+    PathQuestion,
     SignalsQuestion,
     SpanQuestion,
     TopicsQuestion,
@@ -33,6 +34,7 @@ from epf_gcs.flights import answers
 from epf_gcs.flights.derived import split_names
 from epf_gcs.flights.events import FILE, Event, as_answer, find_events, read_events
 from epf_gcs.flights.flight_data import PeriodCache
+from epf_gcs.flights.flown_path import flown_path
 from epf_gcs.flights.growing import GrowingFlight
 from epf_gcs.flights.indexed import Columns, IndexedFlight, not_indexed, open_indexed
 from epf_gcs.flights.worker import be_modest
@@ -132,6 +134,8 @@ def _answer(opened: _Open, question: AnyFlightQuestion) -> bytes:
             return orjson.dumps(answers.overview(data, opened.periods, points))
         case TrackQuestion(source=source):
             return answers.track(data, source, question.points)
+        case PathQuestion(source=source, most=most):
+            return orjson.dumps(flown_path(data, source, most))
         case KnownQuestion(at_s=at_s):
             return orjson.dumps(answers.known(data, at_s))
         case SpanQuestion():

@@ -17,7 +17,7 @@ from epf_gcs.formats.fence_border import Corner, crossing_edges
 from epf_gcs.formats.fence_rows import FenceKind, FenceRowFault, FenceShape, are_rows, fence_items, fence_rows
 from epf_gcs.formats.kml import coordinates, document, kml_bytes
 from epf_gcs.formats.mission_file import FileFault
-from epf_gcs.formats.recognise import unpacked_kml
+from epf_gcs.formats.recognise import read_plan_file, unpacked_kml
 from epf_gcs.formats.wpl_plan import SIGNATURE
 from epf_gcs.formats.xml_tree import add, child_text, decimal, every, local, parse_xml, plain
 from epf_gcs.units import m_from_ft
@@ -107,6 +107,26 @@ def read_fence_file(name: str, data: bytes) -> FenceFile:
 
     The first border of the file is the fence; what else is in it is left out and noted.
     """
+    try:
+        return _read(name, data)
+    except InvalidInputError as error:
+        if error.code in ("fence_file_no_fence", "fence_file_unknown") and _is_plan(name, data):
+            raise _refused(
+                "fence_file_plan",
+                f"'{name}' is a flight plan without a fence: read it as a plan, or draw a polygon in it.",
+                name,
+            ) from error
+        raise
+
+
+def _is_plan(name: str, data: bytes) -> bool:
+    try:
+        return bool(read_plan_file(name, data, thin=True).points)
+    except InvalidInputError:
+        return False
+
+
+def _read(name: str, data: bytes) -> FenceFile:
     try:
         packed = unpacked_kml(data)
         text = packed.removeprefix(b"\xef\xbb\xbf").lstrip()

@@ -12,7 +12,8 @@ from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.errors import ErrorCode, Params
 
-Format = Literal["kml", "gpx", "csv", "plan", "waypoints"]
+Format = Literal["kml", "gpx", "csv", "plan", "waypoints", "flight"]
+"""What a plan was read from; `flight`: a flight of this station."""
 FileFormat = Literal["kml", "kmz", "gpx", "csv", "plan"]
 """What a file is written as: KMZ is KML, packed."""
 Frame = Literal["sea", "home", "ground"]
@@ -28,6 +29,7 @@ NoteCode = Literal[
     "items_skipped",
     "shapes_skipped",
     "speed_missing",
+    "track_pieces",
     "track_thinned",
 ]
 

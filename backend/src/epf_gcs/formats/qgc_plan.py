@@ -72,6 +72,16 @@ def read_plan(data: bytes) -> FilePlan:
     return FilePlan("plan", reader.points, reader.notes(), reader.home_ft)
 
 
+def has_fence(data: bytes) -> bool:
+    """Whether a plan file has a fence, whatever else it has."""
+    try:
+        plan = orjson.loads(data)
+    except orjson.JSONDecodeError:
+        return False
+    fence = plan.get("geoFence") if isinstance(plan, dict) else None
+    return isinstance(fence, dict) and bool(fence.get("polygons") or fence.get("circles"))
+
+
 def _take(reader: ItemReader, item: object, place: Place) -> None:
     if not isinstance(item, dict):
         raise FileFault("mission_file_unreadable", f"{place} is no item", field="item", value="", **place_params(place))

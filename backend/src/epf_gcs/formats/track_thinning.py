@@ -17,21 +17,36 @@ from epf_gcs.units import m_from_ft
 # Nearer than this nobody needs another waypoint: it is what a GPS scatters.
 _NEAR_ENOUGH_M: Final = 5.0
 
-_Places = npt.NDArray[np.float64]
+Numbers = npt.NDArray[np.float64]
 
 
 def thinned(points: Sequence[Point], most: int) -> tuple[list[Point], float]:
     """At most `most` (2 or more) of the points, first and last among them, and the largest distance in metres, in all
     three directions, of a point that was left out from the line between those beside it.
+    """
+    kept, deviation_m = thinned_places(
+        np.array([point.latitude_deg for point in points]),
+        np.array([point.longitude_deg for point in points]),
+        np.array([m_from_ft(point.altitude_ft or 0.0) for point in points]),
+        most,
+    )
+    return [points[index] for index in kept], deviation_m
+
+
+def thinned_places(
+    latitude_deg: Numbers, longitude_deg: Numbers, altitude_m: Numbers, most: int
+) -> tuple[list[int], float]:
+    """The same of arrays of n numbers: the indexes of the points that are kept, in order, and the largest distance.
 
     The line is split where a point is farthest from it, until all are near or there are `most`.
     """
-    if len(points) < 3:
-        return list(points), 0.0
-    places = _flat(points)
-    kept = {0, len(points) - 1}
+    count = len(latitude_deg)
+    if count < 3:
+        return list(range(count)), 0.0
+    places = _flat(latitude_deg, longitude_deg, altitude_m)
+    kept = {0, count - 1}
     # Largest deviation first.
-    open_stretches = [_stretch(places, 0, len(points) - 1)]
+    open_stretches = [_stretch(places, 0, count - 1)]
     while open_stretches and -open_stretches[0][0] > _NEAR_ENOUGH_M and len(kept) < most:
         _, start, end, at = heapq.heappop(open_stretches)
         kept.add(at)
@@ -39,27 +54,18 @@ def thinned(points: Sequence[Point], most: int) -> tuple[list[Point], float]:
             if last - first > 1:
                 heapq.heappush(open_stretches, _stretch(places, first, last))
     deviation_m = -open_stretches[0][0] if open_stretches else 0.0
-    return [points[index] for index in sorted(kept)], deviation_m
+    return sorted(kept), deviation_m
 
 
-def _flat(points: Sequence[Point]) -> _Places:
-    """Metres east, north and up from the first point."""
-    first = points[0]
+def _flat(latitude_deg: Numbers, longitude_deg: Numbers, altitude_m: Numbers) -> Numbers:
+    """Metres east, north and up from the first point, shape (n, 3)."""
     per_deg = math.radians(1.0) * RADIUS_M
-    shrink = math.cos(math.radians(first.latitude_deg))
-    return np.array(
-        [
-            (
-                ((point.longitude_deg - first.longitude_deg + 180.0) % 360.0 - 180.0) * per_deg * shrink,
-                (point.latitude_deg - first.latitude_deg) * per_deg,
-                m_from_ft(point.altitude_ft or 0.0),
-            )
-            for point in points
-        ]
-    )
+    shrink = math.cos(math.radians(float(latitude_deg[0])))
+    east_deg = (longitude_deg - longitude_deg[0] + 180.0) % 360.0 - 180.0
+    return np.column_stack((east_deg * per_deg * shrink, (latitude_deg - latitude_deg[0]) * per_deg, altitude_m))
 
 
-def _stretch(places: _Places, start: int, end: int) -> tuple[float, int, int, int]:
+def _stretch(places: Numbers, start: int, end: int) -> tuple[float, int, int, int]:
     """Minus the largest deviation between two kept points, those points, and where it is."""
     if end - start < 2:
         return 0.0, start, end, start

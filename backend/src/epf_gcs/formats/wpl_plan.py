@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Final, Literal
 
 from epf_gcs.formats.mavlink_items import ABOVE_SEA, WAYPOINT, ItemReader
 from epf_gcs.formats.mission_file import (
@@ -27,11 +27,17 @@ _PARAMETERS: Final = slice(4, 11)
 _MAX_ITEMS: Final = 5000
 
 
-def read_wpl(data: bytes) -> FilePlan:
+FirstItem = Literal["home", "waypoint"]
+"""What item 0 is: where the flight begins, or a waypoint as others."""
+
+
+def read_wpl(data: bytes, first: FirstItem | None = None) -> FilePlan:
     """The waypoints of the file, with the speeds commanded before them. Raises FileFault naming the line.
 
     Item 0 is where the flight begins, not a waypoint: Mission Planner writes it so, above the sea, and heights above
-    home count from it. A file that begins with another item has no home. What is no waypoint is left out and noted.
+    home count from it. Programs that know no home write their first waypoint as item 0, with a height as waypoints have
+    it: then `first` is what a person says. A file that begins with another item has no home. What is no waypoint is
+    left out and noted.
     """
     try:
         text = data.decode("utf-8")
@@ -47,24 +53,28 @@ def read_wpl(data: bytes) -> FilePlan:
     notes: list[Note] = []
     for nth, (place, cells) in enumerate(items):
         index, frame, command, parameters = _item(cells, place)
-        if nth == 0 and index == 0 and command == WAYPOINT:
-            _refuse_other_home(frame, place)
-            reader = ItemReader(parameters[4:7])
+        if nth == 0 and index == 0 and command == WAYPOINT and _is_home(frame, first, place):
+            reader = ItemReader(parameters[4:7] if frame in ABOVE_SEA else None)
             notes.append(Note("home_skipped", {"latitude_deg": parameters[4], "longitude_deg": parameters[5]}))
+        elif command == WAYPOINT and parameters[4:6] == [0, 0]:
+            # MAVLink's way to say "where the aircraft is then".
+            raise not_a_number("latitude_deg", "", place)
         else:
             reader.take(command, frame, parameters, place)
     return FilePlan("waypoints", reader.points, [*notes, *reader.notes()], reader.home_ft)
 
 
-def _refuse_other_home(frame: int, place: Place) -> None:
-    """Programs that know no home write their first waypoint as item 0: then its height counts from home."""
-    if frame not in ABOVE_SEA:
+def _is_home(frame: int, first: FirstItem | None, place: Place) -> bool:
+    """Whether item 0 is. Raises FileFault if its height is one of a waypoint, and nobody says which it is."""
+    if frame not in ABOVE_SEA and first is None:
         raise FileFault(
             "mission_file_home_unclear",
-            f"{place} is item 0, which is home, and has a height as a waypoint has it, in frame {frame}",
+            f"{place} is item 0, which is home, and has a height as a waypoint has it, in frame {frame}: "
+            "say with `first` what it is",
             frame=frame,
             **place_params(place),
         )
+    return frame in ABOVE_SEA or first == "home"
 
 
 def _item(cells: list[str], place: Place) -> tuple[int, int, int, list[float]]:
@@ -80,9 +90,6 @@ def _item(cells: list[str], place: Place) -> tuple[int, int, int, list[float]]:
     command = _whole(cells[_COMMAND], "command", place)
     names = ("param1", "param2", "param3", "param4", "latitude_deg", "longitude_deg", "altitude")
     parameters = [number(cell, name, place) for cell, name in zip(cells[_PARAMETERS], names, strict=True)]
-    if command == WAYPOINT and index > 0 and parameters[4:6] == [0, 0]:
-        # MAVLink's way to say "where the aircraft is then".
-        raise not_a_number("latitude_deg", "", place)
     return index, frame, command, parameters
 
 

@@ -34,6 +34,7 @@ from epf_gcs.web.interface.flights import data_routes as flight_data
 from epf_gcs.web.interface.flights import export_routes as flight_exports
 from epf_gcs.web.interface.flights import job_routes as jobs
 from epf_gcs.web.interface.flights import mark_routes as flight_marks
+from epf_gcs.web.interface.flights import plan_routes as flight_plans
 from epf_gcs.web.interface.flights import report_routes as flight_reports
 from epf_gcs.web.interface.flights import routes as flights
 from epf_gcs.web.interface.inspector import routes as inspector
@@ -91,6 +92,7 @@ def _interface() -> APIRouter:
         flight_data,
         flight_exports,
         flight_marks,
+        flight_plans,
         jobs,
         about,
         inspector,

@@ -1,8 +1,9 @@
-import { ChevronLeft, FileOutput, FileText, RefreshCw, Trash2 } from "lucide-react";
+import { ChevronLeft, FileOutput, FileText, RefreshCw, Route, Trash2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatDateTime } from "../../lib/moment";
+import { ImportQuestions } from "../../missions/ImportQuestions";
 import type { Flight } from "../../protocol/guards.gen";
 import { useAsked } from "../../requests/useAsked";
 import { operatorName } from "../../requests/useControl";
@@ -12,6 +13,7 @@ import { Button } from "../../ui/Button";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
+import { AsPlanDialog } from "./AsPlanDialog";
 import { ExportDialog } from "./ExportDialog";
 import { OpenButton, PinButton } from "./FlightRow";
 import { FlightStory } from "./FlightStory";
@@ -66,7 +68,7 @@ function Faults({ flight }: { readonly flight: Flight }) {
 function Tools({ flight }: { readonly flight: Flight }) {
   const { t } = useTranslation();
   const { remove, indexAgain, openReport } = usePart(FLIGHTS);
-  const [asks, setAsks] = useState<"export" | "delete" | null>(null);
+  const [asks, setAsks] = useState<"export" | "plan" | "delete" | null>(null);
   const deleting = { control: `flights.delete.${flight.id}` };
   const indexing = { control: `flights.index.${flight.id}` };
   const deleted = useAsked(deleting.control);
@@ -94,6 +96,13 @@ function Tools({ flight }: { readonly flight: Flight }) {
         {t("flights.export")}
       </Button>
       <Button
+        onPress={() => setAsks("plan")}
+        icon={<Route size={15} aria-hidden="true" />}
+        disabledReason={flight.state === "indexed" ? unreachable : t("flights.notReady")}
+      >
+        {t("flights.asPlan")}
+      </Button>
+      <Button
         onPress={() => void indexAgain(flight.id, indexing)}
         icon={<RefreshCw size={15} aria-hidden="true" />}
         label={t("flights.indexAgain")}
@@ -114,6 +123,9 @@ function Tools({ flight }: { readonly flight: Flight }) {
         {t("flights.delete")}
       </Button>
       {asks === "export" && <ExportDialog flight={flight} onClose={() => setAsks(null)} />}
+      {asks === "plan" && <AsPlanDialog flight={flight} onClose={() => setAsks(null)} />}
+      <ImportQuestions plan="flight" />
+      <ImportQuestions plan="hil" />
       {asks === "delete" && (
         <ConfirmDialog
           title={t("flights.deleteTitle")}

@@ -2,6 +2,7 @@ import { fireEvent, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { act } from "react";
 import { beforeEach, describe, expect, test } from "vitest";
+import { MISSIONS } from "../../missions/planDrafts";
 import type { Job } from "../../protocol/guards.gen";
 import { aFlight, aFlightList, aJob } from "../../test/flights";
 import { type FakeRequest, Station } from "../../test/station";
@@ -177,6 +178,29 @@ describe("an export", () => {
     await newest("DELETE", /jobs\/0123456789ab$/).answer(aJob({ state: "cancelled" }));
     expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
   });
+});
+
+test("a flight becomes the plan of its aircraft once its figures were answered, and nothing goes to the board", async () => {
+  await user.click(screen.getByRole("button", { name: /^Primera vuelta/ }));
+  await user.click(screen.getByRole("button", { name: "Como plan…" }));
+  await user.click(screen.getByRole("radio", { name: "Aeronave real" }));
+  await user.click(screen.getByRole("button", { name: "Ver en qué queda" }));
+  const path = `/api/v1/flights/${FIRST.id}/plan?source=flight`;
+  const params = { name: FIRST.id, points: 3600, waypoints: 40, deviation_m: 11.2 };
+  const asked = newest("GET", /plan\?/);
+  expect(asked.path).toBe(path);
+  await asked.answer({ code: "mission_file_track", detail: "No.", params }, 422);
+  const plan = () => station.page.parts.get(MISSIONS).plans.getState().flight.draft.present;
+  expect(plan()).toEqual([]);
+  expect(screen.getByRole("alertdialog").textContent).toContain("Primera vuelta");
+  expect(screen.getByRole("alertdialog").textContent).toContain("hasta 12 m");
+  await user.click(screen.getByRole("button", { name: "Tomar 40 waypoints" }));
+  const again = newest("GET", /plan\?/);
+  expect(again.path).toBe(`${path}&thin=true`);
+  const waypoint = { latitude_deg: 27.95, longitude_deg: -15.37, altitude_ft: 700, speed_kt: 55 };
+  await again.answer({ format: "flight", waypoints: [{ ...waypoint, origin: null }], notes: [] });
+  expect(plan()).toEqual([waypoint]);
+  expect(station.asked.filter(({ method }) => method === "PUT")).toEqual([]);
 });
 
 test("a flight that is being prepared shows how far that is, and is read again when it is ready", async () => {

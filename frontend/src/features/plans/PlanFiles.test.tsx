@@ -123,6 +123,23 @@ test("files with heights above an unknown home ask how high it is, and each alti
   expect(newest("PUT", /missions\/flight$/).body).toEqual({ waypoints: plan });
 });
 
+test("files whose item 0 may be home or a waypoint ask which it is, and then how high home is", async () => {
+  open();
+  await choose("casa.waypoints");
+  const at = { name: "casa.waypoints", place: "@problem.place_line", nth: 2 };
+  await newest("POST", /import/).answer(
+    { code: "mission_file_home_unclear", detail: "No.", params: at },
+    422,
+  );
+  await user.click(button("El primer waypoint: se vuela"));
+  expect(newest("POST", /import/).path).toContain("name=casa.waypoints&first=waypoint");
+  const params = { ...at, count: 3, ground_ft: 80 };
+  await newest("POST", /import/).answer({ code: "mission_file_no_home", detail: "No.", params }, 422);
+  await user.click(button("Terreno en el waypoint 1: 80 ft"));
+  await user.click(button("Leer con el punto de partida a 80 ft"));
+  expect(newest("POST", /import/).path).toContain("name=casa.waypoints&home_ft=80&first=waypoint");
+});
+
 test("files of a flown track ask before they become a plan, and are dropped without an answer", async () => {
   open();
   await choose("vuelo.gpx");

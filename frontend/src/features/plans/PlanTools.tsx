@@ -121,7 +121,7 @@ function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace">
       <FileButton
         accept=".kml,.kmz,.gpx,.csv,.plan,.waypoints"
         onFile={(file) =>
-          onReplace(() => void missions.importFile(plan, file, { control: `plan.import.${plan}` }))
+          onReplace(() => void missions.importPlan(plan, file, { control: `plan.import.${plan}` }))
         }
         disabledReason={isFixed ? t("plans.fixed") : blocked}
         icon={<FolderOpen aria-hidden="true" size={14} />}

@@ -26,7 +26,8 @@ from epf_gcs.units import M_PER_FT, MPS_PER_KT
 Source = Literal["flight", "hil"]
 
 # As for the track that is drawn live: see `track/track.py`.
-_LONGEST_GAP_S: Final = 10.0
+LONGEST_GAP_S: Final = 10.0
+"""A longer silence breaks a track."""
 _FASTEST_M_S: Final = 350.0
 _LEAST_JUMP_M: Final = 100.0
 # A receiver sends at least every other second: a place that changed was reached in no longer time than this.
@@ -123,7 +124,7 @@ class _Track:
         rows[:, _T] = np.round(t_ns / 1e6) / 1e3
         breaks = np.zeros(len(rows), dtype=bool)
         elapsed_ns = np.diff(t_ns, prepend=t_ns[0] if self._heard_ns is None else self._heard_ns)
-        breaks |= (elapsed_ns > _LONGEST_GAP_S * 1e9) | (elapsed_ns < 0)
+        breaks |= (elapsed_ns > LONGEST_GAP_S * 1e9) | (elapsed_ns < 0)
         self._heard_ns = int(t_ns[-1])
         for first, end in _between(np.flatnonzero(breaks), len(rows)):
             if breaks[first]:
@@ -141,8 +142,8 @@ class _Track:
             if self._last is not None:
                 rows = np.concatenate((self._last[None], rows))
             rows = rows[_moved(rows)]
-            jumps = np.flatnonzero(_jumps(rows)) + 1
-            end = int(jumps[0]) if len(jumps) else len(rows)
+            put = np.flatnonzero(jumps(rows)) + 1
+            end = int(put[0]) if len(put) else len(rows)
             kept = _flyable(rows[:end])
             new = kept if self._last is None else kept[1:]
             self.file.write(np.ascontiguousarray(new, dtype="<f8").tobytes())
@@ -161,8 +162,9 @@ def _moved(rows: Rows) -> npt.NDArray[np.bool_]:
     return moved
 
 
-def _jumps(rows: Rows) -> Any:
-    """Whether each step is one that is not flown: the aircraft was put elsewhere."""
+def jumps(rows: Rows) -> Any:
+    """Whether each step of rows that begin with time [s], latitude and longitude [deg] is one that is not flown: the
+    aircraft was put elsewhere. Shape (n - 1,)."""
     distance_m = steps_m(rows)
     elapsed_s = np.minimum(np.diff(rows[:, _T]), _LONGEST_STEP_S)
     return (distance_m > _LEAST_JUMP_M) & (distance_m > _FASTEST_M_S * elapsed_s)

@@ -136,6 +136,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("PATCH", "/flights/{flight_id}/marks/{mark_id}"): Entry(_operator, deed="mark"),
     ("DELETE", "/flights/{flight_id}/marks/{mark_id}"): Entry(_operator, deed="mark"),
     ("GET", "/flights/{flight_id}/overview"): _SEES,
+    ("GET", "/flights/{flight_id}/plan"): _SEES,
     ("GET", "/flights/{flight_id}/report"): _SEES,
     ("GET", "/flights/{flight_id}/signals"): _SEES,
     ("GET", "/flights/{flight_id}/topics"): _SEES,

@@ -229,6 +229,8 @@ def test_a_flight_is_prepared_by_itself_and_answers_what_is_in_it(gateway: Gatew
     assert all(kind in ("link", "command", "parameter", "mode", "gap", "alarm", "control") for kind, _ in kinds)
     track = gateway.http.get(f"{path}/track", params={"source": "flight"}).raise_for_status().content
     assert track[:4] == b"EPT1"
+    refused = gateway.http.get(f"{path}/plan", params={"source": "hil", "thin": True})
+    assert (refused.status_code, refused.json()["code"]) == (422, "mission_file_no_waypoints")
     arrow = gateway.http.get(
         f"{path}/signals",
         params={"names": "ahrs.roll_deg"},

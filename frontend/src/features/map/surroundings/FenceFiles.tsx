@@ -22,7 +22,7 @@ export function FenceFiles() {
     <>
       <div className="map-plan-buttons">
         <FileButton
-          accept=".kml,.kmz,.plan,.waypoints,.fen,.txt"
+          accept=".kml,.kmz,.plan,.waypoints,.fen,.poly,.txt"
           onFile={(file) => void importFile(file)}
           icon={<FolderOpen size={14} aria-hidden="true" />}
           disabledReason={fixed ?? (isOpen ? undefined : t("blocked.gateway"))}

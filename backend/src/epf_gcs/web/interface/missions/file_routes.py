@@ -14,15 +14,10 @@ from epf_gcs.formats.kml import MEDIA_TYPE as KML_MEDIA_TYPE
 from epf_gcs.formats.kmz import MEDIA_TYPE as KMZ_MEDIA_TYPE
 from epf_gcs.formats.mission_file import MAX_WAYPOINTS, FileFormat
 from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS, read_plan_file, settle_plan
+from epf_gcs.formats.wpl_plan import FirstItem
 from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.interface.deps import SurroundingsDep
-from epf_gcs.web.interface.missions.file_schemas import (
-    AltitudeOrigin,
-    ImportedWaypoint,
-    MissionExport,
-    MissionImport,
-    MissionNote,
-)
+from epf_gcs.web.interface.missions.file_schemas import MissionExport, MissionImport, Thinned
 from epf_gcs.web.serving.problems import problems
 
 router = APIRouter(prefix="/missions", tags=["missions"])
@@ -48,7 +43,11 @@ HomeAltitude = Annotated[
         description="Home's altitude, feet above mean sea level, for a file that does not have it.",
     ),
 ]
-Thinned = Annotated[bool, Query(description="Read a flown track as a plan of few waypoints; else it is refused.")]
+
+First = Annotated[
+    FirstItem | None,
+    Query(description="What item 0 of a .waypoints is whose height is one of a waypoint; else such a file is refused."),
+]
 
 
 @router.post(
@@ -80,33 +79,21 @@ async def import_mission(
     name: FileName,
     home_ft: HomeAltitude = None,
     thin: Thinned = False,  # noqa: FBT002 - a query parameter
+    first: First = None,
 ) -> MissionImport:
     """Read a KML, KMZ, GPX, CSV, .plan or .waypoints file, whole or not at all; what it is, its content says.
 
-    Heights above home or the ground become altitudes above the sea. Two refusals are questions, and the file is read
-    with their answer: `mission_file_no_home` wants `home_ft`, and `mission_file_track` wants `thin`.
+    Heights above home or the ground become altitudes above the sea. Three refusals are questions, and the file is read
+    with their answer: `mission_file_no_home` wants `home_ft`, `mission_file_home_unclear` wants `first`, and
+    `mission_file_track` wants `thin`.
     """
     named = plain(name)
     # In a thread: the largest file takes a second, and the stream must not wait for it.
-    plan = await asyncio.to_thread(read_plan_file, named, await request.body(), thin=thin)
+    plan = await asyncio.to_thread(read_plan_file, named, await request.body(), thin=thin, first=first)
     on_earth = all(abs(at.latitude_deg) <= 90 and abs(at.longitude_deg) <= 180 for at in plan.points)
     places = [(at.latitude_deg, at.longitude_deg) for at in plan.points[: MAX_WAYPOINTS + 1]]
     ground_ft = await surroundings.ground_ft(places) if on_earth else []
-    found = settle_plan(named, plan, ground_ft, home_ft)
-    return MissionImport(
-        format=found.format,
-        waypoints=[
-            ImportedWaypoint(
-                latitude_deg=waypoint.latitude_deg,
-                longitude_deg=waypoint.longitude_deg,
-                altitude_ft=waypoint.altitude_ft,
-                speed_kt=waypoint.speed_kt,
-                origin=None if origin is None else AltitudeOrigin(**origin._asdict()),
-            )
-            for waypoint, origin in zip(found.waypoints, found.origins, strict=True)
-        ],
-        notes=[MissionNote(code=note.code, params=note.params) for note in found.notes],
-    )
+    return MissionImport.of(settle_plan(named, plan, ground_ft, home_ft))
 
 
 def attachment(name: str, extension: str) -> str:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal, Self
 
+from fastapi import Query
 from pydantic import Field
 
 from epf_gcs.contract.shapes import Output, ParamValue
-from epf_gcs.formats.mission_file import Format, NoteCode
+from epf_gcs.formats.mission_file import Format, MissionFile, NoteCode
 from epf_gcs.web.interface.missions.schemas import MissionInput
+
+Thinned = Annotated[bool, Query(description="Read a flown track as a plan of few waypoints; else it is refused.")]
 
 
 class MissionExport(MissionInput):
@@ -27,6 +30,7 @@ class MissionNote(Output):
     was added.
     home_off_ground {home_ft, ground_ft}: the file's home is far above or below the ground at its first waypoint.
     track_thinned {points, waypoints, deviation_m}: a flown track, as the waypoints that it differs least from.
+    track_pieces {count}: the track has so many pieces, of which the longest was taken.
     home_skipped {latitude_deg, longitude_deg}: the first item of a .waypoints file is where the flight begins.
     items_skipped {count, kinds}, shapes_skipped {count}, columns_skipped {names}: what is no waypoint was left out.
     """
@@ -59,3 +63,21 @@ class MissionImport(Output):
     format: Format
     waypoints: list[ImportedWaypoint]
     notes: list[MissionNote]
+
+    @classmethod
+    def of(cls, found: MissionFile) -> Self:
+        """A plan that was read."""
+        return cls(
+            format=found.format,
+            waypoints=[
+                ImportedWaypoint(
+                    latitude_deg=waypoint.latitude_deg,
+                    longitude_deg=waypoint.longitude_deg,
+                    altitude_ft=waypoint.altitude_ft,
+                    speed_kt=waypoint.speed_kt,
+                    origin=None if origin is None else AltitudeOrigin(**origin._asdict()),
+                )
+                for waypoint, origin in zip(found.waypoints, found.origins, strict=True)
+            ],
+            notes=[MissionNote(code=note.code, params=note.params) for note in found.notes],
+        )
