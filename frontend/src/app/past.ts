@@ -27,6 +27,7 @@ import { type AskReplay, createStreamQuestions } from "../requests/streamQuestio
 import { FlightClock } from "../store/clock";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
+import { failureMessage } from "../store/messages";
 import { partName } from "../store/parts";
 import { StreamSocket } from "../transport/socket";
 import type { Core } from "./core";
@@ -58,6 +59,7 @@ export function createPasts(core: Core, present: Page, playback: Playback): Past
     const questions = createStreamQuestions((text) => socket.ask(text), core.timers);
     const made = createPast({ core, present, playback }, place, questions.ask, ++made_count);
     const { vehicle } = made;
+    let refusal: string | null = null;
     const socket: StreamSocket = new StreamSocket({
       dial: (wire) => core.world.dialFlight(place(), wire),
       timers: core.timers,
@@ -65,9 +67,14 @@ export function createPasts(core: Core, present: Page, playback: Playback): Past
       onMessage: (message, at_ms) => {
         made.take(message, at_ms);
         if (message.type === "hello" && message.flight !== null) {
+          refusal = null;
           listener.onOpened(message.flight);
         } else if (message.type === "playback") {
           listener.onPosition(message.position);
+        } else if (message.type === "event" && message.event === "error" && message.data.code !== refusal) {
+          // The line is dialled again and again; once is enough.
+          refusal = message.data.code;
+          core.tell(failureMessage(message.data, "warning"));
         } else if (message.type === "answer") {
           questions.answered(message.about, message.data);
         }

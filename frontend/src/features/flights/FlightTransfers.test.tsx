@@ -203,6 +203,20 @@ test("a flight becomes the plan of its aircraft once its figures were answered, 
   expect(station.asked.filter(({ method }) => method === "PUT")).toEqual([]);
 });
 
+test("a viewer cancels its own export, and another's is an operator's", async () => {
+  act(() => station.page.admission.setState({ role: "viewer" }));
+  await user.click(screen.getByRole("button", { name: /^Primera vuelta/ }));
+  await user.click(screen.getByRole("button", { name: "Exportar…" }));
+  await user.click(screen.getByRole("button", { name: "Exportar" }));
+  await newest("POST", /exports$/).answer({ job: "0123456789ab" }, 202);
+  tell({});
+  tell({ id: "ba9876543210", file: "otro.kml" });
+  await user.click(screen.getByRole("button", { name: "Cancelar otro.kml" }));
+  expect(station.asked.filter(({ method }) => method === "DELETE")).toEqual([]);
+  await user.click(screen.getByRole("button", { name: "Cancelar 20231114T100000Z.csv.zip" }));
+  expect(newest("DELETE", /jobs\/0123456789ab$/)).toBeTruthy();
+});
+
 test("a flight that is being prepared shows how far that is, and is read again when it is ready", async () => {
   tell({ kind: "index", flight: FIRST.id, progress: 0.4 });
   const [bar] = within(screen.getByRole("list", { name: "Vuelos grabados" })).getAllByRole("progressbar");

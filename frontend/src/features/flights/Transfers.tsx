@@ -116,6 +116,8 @@ function JobUnderway({ job, name }: { readonly job: Job; readonly name: string }
   const { cancelJob } = usePart(FLIGHTS);
   const control = `flights.job.${job.id}`;
   const { state, stateText } = useAsked(control);
+  // Another's job is an operator's to cancel.
+  const isOwn = useLibrary(({ ownExports }) => ownExports.includes(job.id));
   const isWaiting = job.state === "waiting";
   const words = job.kind === "export" ? "flights.exporting" : "flights.checking";
   return (
@@ -130,7 +132,7 @@ function JobUnderway({ job, name }: { readonly job: Job; readonly name: string }
         label={t("flights.cancelOne", { name })}
         state={state}
         stateText={stateText}
-        disabledReason={useLibraryUnreachable("operator")}
+        disabledReason={useLibraryUnreachable(isOwn ? "viewer" : "operator")}
       >
         {null}
       </Button>

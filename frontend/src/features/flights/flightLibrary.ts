@@ -75,6 +75,8 @@ export interface LibraryState {
   readonly jobs: Readonly<Record<string, Job>>;
   /** Ended jobs that the person has taken note of. */
   readonly dismissed: readonly string[];
+  /** Jobs that export flights, begun on this page and under way. */
+  readonly ownExports: readonly string[];
   readonly uploads: readonly Upload[];
   /** The names of the files that were sent from this page, by their job. */
   readonly files: Readonly<Record<string, string>>;
@@ -154,6 +156,7 @@ export function createLibrary(): LibraryStore {
     compared: [],
     jobs: {},
     dismissed: [],
+    ownExports: [],
     uploads: [],
     files: {},
     bin: null,

@@ -47,7 +47,6 @@ export function createFlights(parts: Parts): {
   const { rest, timers, messages, connection, openFlight, play, onGone, openReport } = parts;
   const { run } = createAsking(parts);
   const store = createLibrary();
-  const ownExports = new Set<string>();
   let asked = 0;
   let cancelTyping: () => void = () => undefined;
 
@@ -141,7 +140,9 @@ export function createFlights(parts: Parts): {
 
   function ended({ id, kind, state, flight, result }: Job): void {
     // Its link may be out of sight: the list can be scrolled.
-    if (result !== null && ownExports.delete(id)) {
+    const isOwn = store.getState().ownExports.includes(id);
+    store.setState(({ ownExports }) => ({ ownExports: ownExports.filter((job) => job !== id) }));
+    if (result !== null && isOwn) {
       messages.announce(info("flights.saidExported", { name: result.name }));
     }
     if (kind === "import" && state === "done" && flight !== null && id in store.getState().files) {
@@ -257,7 +258,7 @@ export function createFlights(parts: Parts): {
       }),
 
     ...createFlightMarks({ rest, store, run }),
-    ...createFlightTransfers({ rest, store, run, onJob: takeJob, onExport: (job) => ownExports.add(job) }),
+    ...createFlightTransfers({ rest, store, run, onJob: takeJob }),
   };
   return { flights, takeFlightEvent };
 }

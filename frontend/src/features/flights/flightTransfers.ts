@@ -11,7 +11,6 @@ interface Parts {
   /** A job as the gateway has it now. */
   readonly onJob: (job: Job) => void;
   /** This page asked for an export. */
-  readonly onExport: (job: string) => void;
 }
 
 /** Files to and from the library: sending recordings, exports and their jobs. */
@@ -20,7 +19,6 @@ export function createFlightTransfers({
   store,
   run,
   onJob,
-  onExport,
 }: Parts): Pick<Flights, "importFile" | "cancelUpload" | "export" | "cancelJob" | "dismissJob"> {
   const cancels = new Map<number, AbortController>();
   let next = 0;
@@ -93,7 +91,7 @@ export function createFlightTransfers({
           to_s,
         }),
         ({ job }) => {
-          onExport(job);
+          store.setState(({ ownExports }) => ({ ownExports: [...ownExports, job] }));
           void readJob(job);
           return { state: "confirmed", message: info("flights.saidExporting") };
         },
