@@ -1,5 +1,6 @@
 import { writeFile } from "node:fs/promises";
 import { type CDPSession, expect, type Page, test } from "@playwright/test";
+import { openTab } from "../support/tabs.js";
 import { browserSeconds } from "./processor.js";
 
 /** The gateway's address, where flights are ordered, where the figures go, and how long each is measured. */
@@ -97,9 +98,8 @@ async function order(path: string): Promise<void> {
 /** Seconds from the click on the tab to the end of the globe's first frame, of a page that is opened for it. */
 async function openMap(page: Page): Promise<number> {
   await page.goto(URL, { waitUntil: "domcontentloaded" });
-  const tab = page.getByRole("tab", { name: "Mapa 3D", exact: true });
-  await page.getByRole("tab", { name: "Standard Six", exact: true }).click();
-  await tab.click();
+  await openTab(page, "Planes de vuelo");
+  await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
   const drawn = await page.waitForFunction(
     () => window.timings.find(({ name, at_ms }) => name === "globe.picture" && at_ms > window.clicked_ms),
     undefined,

@@ -1,6 +1,7 @@
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { type Browser, type CDPSession, expect, type Page, test } from "@playwright/test";
+import { openTab, TABS } from "../support/tabs.js";
 import { browserSeconds } from "./processor.js";
 
 /** The gateway's address, where the figures go, and how long each tab is measured. */
@@ -30,11 +31,8 @@ test("the page with twelve topics at 50 Hz, tab by tab", async ({ page, browser 
   const devtools = await page.context().newCDPSession(page);
   await devtools.send("Performance.enable");
   await devtools.send("HeapProfiler.enable");
-  const tabs = page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab");
-  await expect(tabs.first()).toBeVisible();
-  const names = (await tabs.allTextContents()).filter((name) => !GLOBE.test(name));
-  for (const name of names) {
-    await tabs.filter({ hasText: new RegExp(`^${name}$`) }).click();
+  for (const name of TABS.filter((tab) => !GLOBE.test(tab))) {
+    await openTab(page, name);
     // A tab's own part is loaded and laid out once; what counts is how it goes on.
     await page.waitForTimeout(3000);
     figures.push({ tab: name, ...(await measure(page, devtools)) });

@@ -1,5 +1,6 @@
 import { writeFile } from "node:fs/promises";
 import { type Page, test } from "@playwright/test";
+import { openTab } from "../support/tabs.js";
 
 /** The gateway's address, the flight of two hours that it has, and where the figures go. */
 const URL = process.env.BENCH_URL ?? "";
@@ -31,13 +32,13 @@ test("the page in the past of two hours: the bar, a hundred times real time, plo
   const drags: Record<string, number[]> = {};
   const fast: Record<string, { frames_per_s: number; rate: number }> = {};
   for (const name of TABS) {
-    await page.getByRole("tab", { name, exact: true }).click();
+    await openTab(page, name);
     await page.waitForTimeout(1500);
     drags[name] = [];
     for (let drag = 0; drag < DRAGS; drag += 1) drags[name].push(await letGo(page));
     fast[name] = await atHundredfold(page);
   }
-  await page.getByRole("tab", { name: "Gráficas", exact: true }).click();
+  await openTab(page, "Gráficas");
   await page.waitForTimeout(2000);
   const drawn: number[] = [];
   const layouts = page.getByRole("combobox", { name: "Disposición" });

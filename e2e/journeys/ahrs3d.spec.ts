@@ -1,6 +1,7 @@
 import type { Page } from "@playwright/test";
 import { attitude, expect, open, test } from "../support/fixtures.js";
 import { closeMenu, openMenu } from "../support/menu.js";
+import { openTab } from "../support/tabs.js";
 import { ANY_STATION } from "../support/there.js";
 
 /** The aircraft in 3D, which tells in attributes how its model is turned. */
@@ -8,8 +9,8 @@ function aircraft(page: Page) {
   return page.getByRole("application", { name: "Avión en 3D" });
 }
 
-async function openTab(page: Page): Promise<void> {
-  await page.getByRole("tab", { name: "AHRS 3D", exact: true }).click();
+async function openAircraft(page: Page): Promise<void> {
+  await openTab(page, "AHRS 3D");
   await expect(aircraft(page)).toHaveAttribute("data-has-picture", "true");
 }
 
@@ -29,7 +30,7 @@ test("the aircraft is turned as the horizon beside it, is aligned, and goes grey
   tag: ANY_STATION,
 }, async ({ page, flying }) => {
   await open(page, flying);
-  await openTab(page);
+  await openAircraft(page);
   await expect(aircraft(page)).toHaveAttribute("data-state", "live");
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
   await expect.poll(async () => await farthestFromHorizon(page)).toBeLessThan(1);
@@ -70,7 +71,7 @@ test("on the ground the AHRS test turns the aircraft, and the board's frames are
   await station.openBoard();
   await station.command("start");
   await open(page, station);
-  await openTab(page);
+  await openAircraft(page);
   await expect(aircraft(page)).toHaveAttribute("data-state", "live");
 
   await page.getByRole("button", { name: "Empezar la prueba AHRS" }).click();

@@ -1,4 +1,5 @@
 import { expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 
 test("the autopilot is switched off and on, each time with the board's proof", async ({ page, flying }) => {
   await open(page, flying);
@@ -56,11 +57,11 @@ test("looking at every tab sends the board nothing but the simulator's informati
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
   flying.line.forget();
   for (const name of ["HIL", "Setup", "Datos de vuelo"]) {
-    await page.getByRole("tab", { name, exact: true }).click();
+    await openTab(page, name);
     await expect(page.getByRole("tabpanel", { name, exact: true })).toBeVisible();
   }
   for (const name of ["GPS status", "Uso de la CPU", "Fast GPS", "GPS", "ServosIn", "Fly-by-wire", "FMS"]) {
-    await page.getByRole("tab", { name, exact: true }).click();
+    await openTab(page, name);
   }
   // Frames of the captured station: `#QT,`, type 50, 15 values, checksum, end.
   const frames = flying.line.sentBytes.toString("latin1").split("#QT,").slice(1, -1);

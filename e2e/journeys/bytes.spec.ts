@@ -5,6 +5,7 @@ import { GAIN_NAMES } from "../checklist/screens.js";
 import { expect, open, test } from "../support/fixtures.js";
 import { closeMenu, entryOf, openMenu } from "../support/menu.js";
 import type { Station } from "../support/station.js";
+import { openTab, TABS } from "../support/tabs.js";
 
 /** On a legacy board nothing but what is asked for goes over the line, so the bytes can be compared whole. */
 
@@ -73,7 +74,7 @@ async function choose(page: Page, entry: Entry): Promise<void> {
 
 async function flightTab(desk: Desk): Promise<void> {
   const { page } = desk;
-  await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+  await openTab(page, "Datos de vuelo");
   await sends(desk, "Read All", [bytesOf("pushButtonParamReadAll")], async () => {
     await page.getByRole("button", { name: "Read All" }).click();
   });
@@ -102,7 +103,7 @@ async function flightTab(desk: Desk): Promise<void> {
 
 async function hilTab(desk: Desk): Promise<void> {
   const { page } = desk;
-  await page.getByRole("tab", { name: "HIL", exact: true }).click();
+  await openTab(page, "HIL");
   for (const way of ["Next", "Previous"]) {
     await sends(desk, `HIL ${way}`, [bytesOf(`pushButtonHILFMS${way}`)], async () => {
       await page
@@ -115,7 +116,7 @@ async function hilTab(desk: Desk): Promise<void> {
 
 async function gains(desk: Desk): Promise<void> {
   const { page, station } = desk;
-  await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();
+  await openTab(page, "Autopilot Param");
   // A load only reads: one command, and no value goes back.
   await sends(desk, "Load", [READ_BACK], async () => {
     await page.getByRole("button", { name: "Load", exact: true }).click();
@@ -133,7 +134,7 @@ async function gains(desk: Desk): Promise<void> {
 
 async function rawLine(desk: Desk): Promise<void> {
   const { page } = desk;
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   await sends(desk, "raw line", [bytesOf("pushButtonSerialSend")], async () => {
     await page.getByRole("textbox", { name: "Línea para la placa" }).fill("hil load gando");
     await page.getByRole("button", { name: "Enviar" }).click();
@@ -167,7 +168,7 @@ test("every control sends exactly the bytes that the captured station sent, and 
 }) => {
   const desk = { page, station };
   await open(page, station);
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   const board = page.getByRole("region", { name: "Comunicación con el Piloto Automático" });
   await board.getByRole("combobox", { name: "Puerto" }).selectOption("Otra dirección…");
   await board.getByRole("textbox", { name: "Dirección" }).fill(station.boardUrl);
@@ -177,8 +178,8 @@ test("every control sends exactly the bytes that the captured station sent, and 
 
   await test.step("looking", async () => {
     station.line.forget();
-    for (const tab of await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").all()) {
-      await tab.click();
+    for (const tab of TABS) {
+      await openTab(page, tab);
       for (const sub of await page.getByRole("tabpanel").getByRole("tab").all()) await sub.click();
     }
     await page.reload({ waitUntil: "domcontentloaded" });
@@ -197,7 +198,7 @@ test("every control sends exactly the bytes that the captured station sent, and 
     await openMenu(page, "Autopilot");
     await sends(desk, "Reset", [bytesOf("actionAutopilotReset")], () => choose(page, RESET));
   });
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   await board.getByRole("button", { name: "Close" }).click();
   await expect(board).toContainText("cerrado");
   const sent = () => station.line.sentBytes.toString("hex");

@@ -3,6 +3,7 @@ import { MENUS } from "../checklist/menus.js";
 import { FRAME, type Part, SCREENS, type Screen } from "../checklist/screens.js";
 import { expect, open, test } from "../support/fixtures.js";
 import { closeMenu, entryOf, openMenu } from "../support/menu.js";
+import { openTab } from "../support/tabs.js";
 import { ANY_STATION } from "../support/there.js";
 
 /** Each finding is noted and the walk goes on, so that one run tells all that is missing. */
@@ -27,7 +28,7 @@ async function saysWhyItIsDisabled(control: Locator, what: string): Promise<void
 }
 
 async function show(page: Page, { tab, sub }: Screen): Promise<void> {
-  await page.getByRole("tab", { name: tab, exact: true }).first().click();
+  await openTab(page, tab);
   if (sub !== undefined) await page.getByRole("tabpanel").getByRole("tab", { name: sub, exact: true }).click();
 }
 

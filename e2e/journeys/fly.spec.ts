@@ -1,4 +1,5 @@
 import { attitude, expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 import { ANY_STATION } from "../support/there.js";
 
 test("a visitor sees the aircraft fly and bank, and the waypoint number advance", { tag: ANY_STATION }, async ({
@@ -9,7 +10,7 @@ test("a visitor sees the aircraft fly and bank, and the waypoint number advance"
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
 
-  await page.getByRole("tab", { name: "HIL", exact: true }).click();
+  await openTab(page, "HIL");
   const fms = page.getByRole("region", { name: "Parámetros del Flight Management System" });
   const waypoint = fms.locator("dl > *", { hasText: "Waypoint" });
   await expect(waypoint).toContainText("0");
@@ -38,6 +39,7 @@ test("the page's numbers are the gateway's, in sign and size", { tag: ANY_STATIO
 
 const SIZES = [
   { width: 1366, height: 768 },
+  { width: 768, height: 1024 },
   { width: 390, height: 844 },
   { width: 844, height: 390 },
 ];
@@ -55,6 +57,8 @@ for (const viewport of SIZES) {
     for (const name of ["Velocidad", "Altitud barométrica", "Indicador de actitud", "Indicador de rumbo"]) {
       await expect(page.getByRole("img", { name, exact: true })).toHaveAttribute("data-state", "live");
     }
+    const modes = page.getByRole("button", { name: /^Modos;/ });
+    for (const mode of ["Fuente", "Joystick", "AP", "On"]) await expect(modes).toContainText(mode);
     const flownTo = async () => Number(/waypoint (\d+)/.exec((await sentence.textContent()) ?? "")?.[1]);
     const before = await flownTo();
     await page.getByRole("button", { name: "Next", exact: true }).click();

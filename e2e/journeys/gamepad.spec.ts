@@ -1,5 +1,6 @@
 import { expect, open, test } from "../support/fixtures.js";
 import { Gamepad } from "../support/gamepad.js";
+import { openTab } from "../support/tabs.js";
 
 test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled out leaves no hand on the stick", async ({
   page,
@@ -11,7 +12,7 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
   };
   const gamepad = await Gamepad.at(page);
   await open(page, flying);
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   const panel = page.getByRole("region", { name: "Palanca del piloto" });
   const controls = page.getByRole("region", { name: "Controles" });
   const browser = panel.getByRole("radio", { name: "Mando de este navegador" });

@@ -1,5 +1,6 @@
 import { expect, open, test } from "../support/fixtures.js";
 import { openMenu } from "../support/menu.js";
+import { openTab } from "../support/tabs.js";
 import { ANY_STATION } from "../support/there.js";
 import { Walk } from "../support/walk.js";
 
@@ -17,7 +18,7 @@ test("language and theme are one click away and remembered", { tag: ANY_STATION 
 test("what is said beside a gain lies clear of its buttons, in a narrow window too", async ({ page, station }) => {
   await station.openBoard();
   await open(page, station);
-  await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();
+  await openTab(page, "Autopilot Param");
   await page.getByRole("button", { name: "Load", exact: true }).click();
   for (const name of ["k_elev", "k_roll"]) {
     const field = page.getByRole("textbox", { name, exact: true });

@@ -1,4 +1,5 @@
 import { attitude, expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 
 test("the board's line is pulled: everything goes stale and the alarm shows; plugged in, it recovers", {
   tag: "@refused",
@@ -23,7 +24,7 @@ test("the board's line is pulled: everything goes stale and the alarm shows; plu
   await autopilot.getByText("Off", { exact: true }).click();
   await expect(last).toContainText("no hay ninguna placa conectada");
   for (const tab of ["HIL", "Setup"]) {
-    await page.getByRole("tab", { name: tab, exact: true }).click();
+    await openTab(page, tab);
     await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
   }
 

@@ -1,6 +1,7 @@
 import config from "../playwright.config.js";
 import { attitude, expect, open, test } from "../support/fixtures.js";
 import { middleOf, pixelsOf } from "../support/pixels.js";
+import { openTab } from "../support/tabs.js";
 import { ANY_STATION } from "../support/there.js";
 
 // A browser without WebGL, as on a field computer whose graphics driver is missing.
@@ -16,7 +17,7 @@ test("without WebGL the map says why, and shows the flight from above", { tag: A
   const asked: string[] = [];
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
   await open(page, flying);
-  await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
+  await openTab(page, "Mapa 3D");
   await expect(page.getByText(/no ofrece WebGL 2.*En su lugar está el mapa 2D/)).toBeVisible();
 
   const camera = page.locator(".map-camera");
@@ -37,6 +38,6 @@ test("without WebGL the map says why, and shows the flight from above", { tag: A
   // Nor is the globe's engine fetched in vain, and the instruments beside it fly on.
   expect(asked.filter((path) => /cesium|globe-engine/i.test(path))).toEqual([]);
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
-  await page.getByRole("tab", { name: "AHRS 3D", exact: true }).click();
+  await openTab(page, "AHRS 3D");
   await expect(page.getByText(/WebGL/)).toBeVisible();
 });

@@ -6,6 +6,7 @@ import type { Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
 import { partOf, pixelsOf } from "../support/pixels.js";
 import type { Station } from "../support/station.js";
+import { openTab } from "../support/tabs.js";
 
 /** The route Gando begins again after its last. */
 const GANDO_WAYPOINTS = 8;
@@ -16,7 +17,7 @@ async function openMap(page: Page, station: Station, kind: "2d" | "3d"): Promise
   await page.addInitScript((chosen) => localStorage.setItem("epf-gcs.settings", chosen), settings);
   await open(page, station);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
-  await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
+  await openTab(page, "Mapa 3D");
   await expect(page.getByRole("button", { name: "Ver todo", exact: true })).toBeEnabled();
 }
 

@@ -1,5 +1,6 @@
 import type { Page } from "@playwright/test";
 import { attitude, expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 
 declare global {
   interface Window {
@@ -9,7 +10,7 @@ declare global {
 }
 
 async function openMap(page: Page): Promise<void> {
-  await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
+  await openTab(page, "Mapa 3D");
   await expect(page.locator(".map-host .globe-picture")).toBeVisible();
 }
 

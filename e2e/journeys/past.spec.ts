@@ -4,6 +4,7 @@ import { colourAt } from "../support/pixels.js";
 import { until } from "../support/processes.js";
 import { LiveRecord } from "../support/record.js";
 import type { Station } from "../support/station.js";
+import { openTab } from "../support/tabs.js";
 
 /** The page in either language. */
 const WORDS = {
@@ -181,12 +182,12 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
   });
 
   await test.step("both lines closed", async () => {
-    await page.getByRole("tab", { name: "Setup", exact: true }).click();
+    await openTab(page, "Setup");
     for (const line of ["XPlane", "Comunicación con el Piloto Automático"]) {
       await page.getByRole("region", { name: line, exact: true }).getByRole("button", { name: "Close" }).click();
     }
     await expect.poll(async () => (await flying.status()).recording.active).toBe(false);
-    await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+    await openTab(page, "Datos de vuelo");
   });
   const { id, started_s } = await until("the flight's preparation", async () =>
     (await flying.flights()).find(({ state }) => state === "indexed"),
@@ -201,7 +202,7 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
   });
 
   await test.step("to the mark, from the list of what happened", async () => {
-    await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+    await openTab(page, "Vuelos");
     await page
       .getByRole("list", { name: "Vuelos grabados" })
       .getByRole("listitem")
@@ -214,7 +215,7 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
       .getByRole("button", { name: /Marca: viraje/ })
       .click();
     await expect.poll(() => Number(new URL(page.url()).searchParams.get("at"))).not.toBe(5);
-    await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+    await openTab(page, "Datos de vuelo");
     await showsItsMoment(page, flying, record, "es");
   });
 
@@ -223,21 +224,21 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
     let next = 0;
     // A busy machine may have kept a heartbeat back earlier in the flight, with the line open: that is another alarm.
     await expect(async () => {
-      await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+      await openTab(page, "Vuelos");
       await alarms.nth(next++ % (await alarms.count())).click();
-      await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+      await openTab(page, "Datos de vuelo");
       await expect(page.getByRole("contentinfo")).toContainText("perdido", { timeout: 20_000 });
     }).toPass();
   });
 
   await test.step("its signals", async () => {
-    await page.getByRole("tab", { name: "Gráficas", exact: true }).click();
+    await openTab(page, "Gráficas");
     const figures = page.getByRole("region", { name: "Gráfica 1", exact: true }).getByRole("table");
     await expect(figures.getByRole("row").nth(1)).toContainText(/-?\d+\.\d/);
   });
 
   await test.step("beside another flight, which came from another machine", async () => {
-    await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+    await openTab(page, "Vuelos");
     const stretch = await page.request.get(`${flying.url}/api/v1/flights/${id}/export?format=mcap&from_s=0&to_s=12`);
     const chooser = page.waitForEvent("filechooser");
     await page.getByRole("button", { name: "Importar…", exact: true }).click();
@@ -257,7 +258,7 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
     // The one that was chosen last is laid over: its figures stand below, after its name.
     const over = figures.getByRole("row", { name: /(ayer|\d{4}-\d\d-\d\d \d\d:\d\d:\d\d) · / });
     await expect(over.first()).toContainText(/-?\d+\.\d/);
-    await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+    await openTab(page, "Vuelos");
     await flights.getByRole("listitem").filter({ hasNotText: "ayer" }).getByRole("button").first().click();
   });
 

@@ -1,6 +1,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 import { SIZES, sizeName, Walk } from "../support/walk.js";
 
 const PHONE = { width: 360, height: 640 };
@@ -95,7 +96,7 @@ test.describe("a pilot with nothing but a phone", () => {
       await expect(mine).toBeVisible();
       await seen("1-control");
 
-      await page.getByRole("tab", { name: say.plans, exact: true }).tap();
+      await openTab(page, say.plans);
       await page.getByRole("tab", { name: say.hilPlan, exact: true }).tap();
       await tap(say.read);
       const rows = page.getByRole("tabpanel", { name: say.hilPlan }).getByRole("row");
@@ -130,7 +131,7 @@ test.describe("a pilot with nothing but a phone", () => {
       await expect(page.getByRole("dialog")).toBeVisible();
       await seen("5-log");
       await page.getByRole("dialog").getByRole("button", { name: say.close, exact: true }).tap();
-      await page.getByRole("tab", { name: say.back, exact: true }).tap();
+      await openTab(page, say.back);
       await expect(page.getByRole("tabpanel", { name: say.back })).toBeVisible();
       await seen("6-back");
       await context.close();

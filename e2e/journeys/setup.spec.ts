@@ -1,9 +1,10 @@
 import { createSocket } from "node:dgram";
 import { expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 
 test("the operator connects board and simulator from Setup", async ({ page, station }) => {
   await open(page, station);
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   const board = page.getByRole("region", { name: "Comunicación con el Piloto Automático" });
   await board.getByRole("combobox", { name: "Puerto" }).selectOption("Otra dirección…");
   await board.getByRole("textbox", { name: "Dirección" }).fill(station.boardUrl);
@@ -30,7 +31,7 @@ test("a wrong port and a taken one are each refused in one clear sentence, and n
 }, async ({ page, station }) => {
   await station.openBoard();
   await open(page, station);
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   const board = page.getByRole("region", { name: "Comunicación con el Piloto Automático" });
   await board.getByRole("combobox", { name: "Puerto" }).selectOption("Otra dirección…");
   await board.getByRole("textbox", { name: "Dirección" }).fill("/dev/ttyNOT_HERE");

@@ -1,5 +1,6 @@
 import type { Locator, Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
+import { openTab } from "../support/tabs.js";
 
 const SIZES = [
   { width: 1366, height: 768 },
@@ -49,24 +50,29 @@ for (const size of SIZES) {
   }) => {
     await page.setViewportSize(size);
     await open(page, flying);
-    await page.getByRole("tab", { name: "Planes de vuelo" }).click();
-    await expect(page.getByRole("tabpanel", { name: "Planes de vuelo" }).getByRole("button").first()).toBeVisible();
     const alarms = page.getByRole("region", { name: "Alarmas" });
-    await expect(alarms).toContainText("Ninguna alarma");
-    const before = await boxes(page);
-    expect(Object.keys(before).length).toBeGreaterThan(10);
-    await flying.line.pull();
-    await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
-    expect(moved(before, await boxes(page)), "while it lasts").toEqual([]);
-    await flying.line.plugIn();
-    await expect(alarms.getByRole("listitem").filter({ hasText: "latido perdido" })).toBeVisible();
-    expect(moved(before, await boxes(page)), "when it has ended").toEqual([]);
+    for (const tab of ["Vista de vuelo", "Planes de vuelo"]) {
+      await openTab(page, tab);
+      await expect(page.getByRole("tabpanel", { name: tab }).getByRole("button").first()).toBeVisible();
+      await expect(alarms).toContainText("Ninguna alarma");
+      const before = await boxes(page);
+      expect(Object.keys(before).length).toBeGreaterThan(10);
+      await flying.line.pull();
+      await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
+      expect(moved(before, await boxes(page)), `${tab}, while it lasts`).toEqual([]);
+      await flying.line.plugIn();
+      const ended = alarms.getByRole("listitem").filter({ hasText: "latido perdido" });
+      await expect(ended).toBeVisible();
+      expect(moved(before, await boxes(page)), `${tab}, when it has ended`).toEqual([]);
+      await alarms.getByRole("button", { name: /^Reconocer que terminó: latido perdido/ }).click();
+      await expect(ended).toHaveCount(0);
+    }
   });
 }
 
 test("a tick of success leaves each button where it is, and as wide as it is", async ({ page, flying }) => {
   await open(page, flying);
-  await page.getByRole("tab", { name: "Planes de vuelo" }).click();
+  await openTab(page, "Planes de vuelo");
   await page.getByRole("tab", { name: "Plan HIL" }).click();
   const panel = page.getByRole("tabpanel", { name: "Plan HIL" });
   const read: Locator = panel.getByRole("button", { name: "Descargar de la placa" });

@@ -2,6 +2,7 @@ import type { Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
 import { ROOT, until } from "../support/processes.js";
 import type { Station } from "../support/station.js";
+import { openTab } from "../support/tabs.js";
 import { keepWebp, settled } from "./picture.js";
 
 /** Pictures of the guide by name, and the tab of which each is, in both languages. */
@@ -17,7 +18,7 @@ const PICTURES = {
 test("the guide's pictures are taken from the station in flight", async ({ page, flying }) => {
   await open(page, flying);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
-  await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();
+  await openTab(page, "Autopilot Param");
   await page.getByRole("button", { name: "Load", exact: true }).click();
   await expect(page.getByRole("textbox", { name: "k_elev", exact: true })).not.toHaveValue("");
   for (const language of ["es", "en"] as const) {
@@ -26,7 +27,7 @@ test("the guide's pictures are taken from the station in flight", async ({ page,
       .getByText({ es: "Español", en: "English" }[language])
       .click();
     for (const [name, tab] of Object.entries(PICTURES)) {
-      await page.getByRole("tab", { name: tab[language], exact: true }).click();
+      await openTab(page, tab[language]);
       if (name === "alarms") await raiseAlarm(page, flying.url, language);
       await settled(page);
       await keepWebp(page, `${ROOT}/frontend/public/guide/${language}/${name}.webp`);
@@ -37,7 +38,7 @@ test("the guide's pictures are taken from the station in flight", async ({ page,
 
 /** The chapters about flights that are over: the past, the library, plots and the report. */
 async function landed(page: Page, station: Station): Promise<void> {
-  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  await openTab(page, "Setup");
   for (const line of ["X-Plane", "Autopilot link"]) {
     await page.getByRole("region", { name: line, exact: true }).getByRole("button", { name: "Close" }).click();
   }
@@ -58,14 +59,14 @@ async function landed(page: Page, station: Station): Promise<void> {
       .getByText(words.language)
       .click();
     await page.goto(`${station.url}/?flight=${id}&at=${Math.round(0.7 * (duration_s ?? 0))}`);
-    await page.getByRole("tab", { name: "HIL Standard Six", exact: true }).click();
+    await openTab(page, "HIL Standard Six");
     await expect(page.getByRole("tabpanel").locator("[data-state=live]").first()).toBeVisible();
     await keep("past");
-    await page.getByRole("tab", { name: words.plots, exact: true }).click();
+    await openTab(page, words.plots);
     await expect(page.getByRole("table").first().getByRole("row").nth(1)).toContainText(/\d\.\d/);
     await keep("plots");
     await page.keyboard.press("Escape");
-    await page.getByRole("tab", { name: words.flights, exact: true }).click();
+    await openTab(page, words.flights);
     await page.getByRole("list", { name: words.list }).getByRole("button").first().click();
     await keep("flights");
     await page.getByRole("button", { name: words.report, exact: true }).last().click();

@@ -1,5 +1,6 @@
 import { expect, open, test } from "../support/fixtures.js";
 import { ROOT } from "../support/processes.js";
+import { openTab } from "../support/tabs.js";
 import { keepWebp, settled } from "./picture.js";
 
 const PICTURES = 24;
@@ -14,7 +15,7 @@ test("the page in flight, picture by picture, for the moving one of the README",
     .getByRole("group", { name: /^(Idioma|Language)$/ })
     .getByText("English")
     .click();
-  await page.getByRole("tab", { name: "HIL Standard Six", exact: true }).click();
+  await openTab(page, "HIL Standard Six");
   for (let nth = 0; nth < PICTURES; nth += 1) {
     await keepWebp(page, `${ROOT}/e2e/test-results/moving/${String(nth).padStart(2, "0")}.webp`);
     for (let wait = 0; wait < WAITS; wait += 1) await settled(page);

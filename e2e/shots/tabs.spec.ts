@@ -1,4 +1,5 @@
 import { expect, open, test } from "../support/fixtures.js";
+import { GROUPS, openTab } from "../support/tabs.js";
 import { settled } from "./picture.js";
 
 const SIZES = [
@@ -11,7 +12,7 @@ const LANGUAGES = ["es", "en"] as const;
 /** One picture of every tab and menu in every size, language and look, to be looked at: `npm run shots`. */
 test("every tab and menu is pictured", async ({ page, flying }) => {
   await open(page, flying);
-  await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();
+  await openTab(page, "Autopilot Param");
   await page.getByRole("button", { name: "Load", exact: true }).click();
   await expect(page.getByRole("textbox", { name: "k_elev", exact: true })).not.toHaveValue("");
   for (const language of LANGUAGES) {
@@ -27,11 +28,10 @@ test("every tab and menu is pictured", async ({ page, flying }) => {
       await expect(page.locator("html")).toHaveAttribute("data-theme", theme);
       for (const size of SIZES) {
         await page.setViewportSize(size);
-        const tabs = page.getByRole("tablist").first().getByRole("tab");
-        for (const [index, tab] of (await tabs.all()).entries()) {
-          await tab.click();
+        for (const [index, tab] of Object.values(GROUPS[language]).flat().entries()) {
+          await openTab(page, tab);
           await settled(page);
-          const name = `${size.width}-${language}-${theme}-${index + 1}-${(await tab.textContent())?.replaceAll(" ", "-")}`;
+          const name = `${size.width}-${language}-${theme}-${index + 1}-${tab.replaceAll(" ", "-")}`;
           await page.screenshot({ path: `test-results/shots/${name}.png` });
         }
         for (const [index, menu] of (await page.getByRole("menubar").getByRole("menuitem").all()).entries()) {

@@ -4,6 +4,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { expect, test } from "@playwright/test";
 import { freeTcpPort, Program, ROOT, until } from "../support/processes.js";
+import { openTab, TABS } from "../support/tabs.js";
 
 /** Real time under one launcher, page open: memory flat, no frame lost, no error in any log. `make soak MINUTES=30`. */
 const MINUTES = Number(process.env.SOAK_MINUTES ?? "30");
@@ -75,13 +76,10 @@ test(`${MINUTES} minutes of flight leave memory flat, lose no frame and log no e
       const isQuiet = now.alarms.every((alarm: Alarm) => alarm.until_s !== null);
       return now.board.state === "open" && now.simulator.state === "open" && isQuiet ? now : undefined;
     });
-    const tabs = page
-      .getByRole("tablist", { name: "Pestañas principales" })
-      .getByRole("tab")
-      .filter({ hasNotText: LEFT_OUT });
+    const tabs = TABS.filter((tab) => tab !== LEFT_OUT);
     for (let turn = 0; Date.now() - started < MINUTES * 60_000; turn += 1) {
       // Each tab in turn: what one of them keeps when it is left is found as well as what it gathers.
-      await tabs.nth(turn % (await tabs.count())).click();
+      await openTab(page, tabs[turn % tabs.length] ?? "");
       await new Promise((resolve) => setTimeout(resolve, SAMPLE_MS));
       await devtools.send("HeapProfiler.collectGarbage");
       const { usedSize } = await devtools.send("Runtime.getHeapUsage");

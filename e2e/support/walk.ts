@@ -1,5 +1,6 @@
 import type { CDPSession, Locator, Page } from "@playwright/test";
 import { layoutFaults } from "./faults.js";
+import { GROUPS, openTab, TABS } from "./tabs.js";
 
 export interface Size {
   readonly width: number;
@@ -140,8 +141,8 @@ export class Walk {
       await this.closeAll();
     }
     if (hasDrawer) {
-      await this.page.locator(".app-all-tabs > button").click();
-      faults.push(...(await this.look("all tabs")));
+      await this.page.locator(".app-tabs > .ui-tabs-row [role=tab][aria-selected=true]").click();
+      faults.push(...(await this.look("tabs of the open group")));
       await this.closeAll();
     }
     return faults;
@@ -150,8 +151,7 @@ export class Walk {
   /** Everything wrong on every main tab and every tab within it. */
   async tabs(): Promise<string[]> {
     const faults: string[] = [];
-    const count = await this.page.evaluate(() => document.querySelectorAll("[role=tablist]")[0]?.children.length ?? 0);
-    for (let main = 0; main < count; main += 1) {
+    for (const main of TABS.keys()) {
       const name = await this.openTab(main);
       faults.push(...(await this.look(name)));
       const inner = await this.page.evaluate(
@@ -181,11 +181,9 @@ export class Walk {
 
   /** Open a main tab by its place, which sends nothing; returns its name. */
   async openTab(at: number): Promise<string> {
-    const name = await this.page.evaluate((place) => {
-      const tab = document.querySelectorAll("[role=tablist]")[0]?.children[place];
-      if (tab instanceof HTMLElement) tab.click();
-      return tab?.textContent ?? "";
-    }, at);
+    const language = await this.page.evaluate(() => (document.documentElement.lang === "en" ? "en" : "es"));
+    const name: string = Object.values(GROUPS[language]).flat()[at] ?? "";
+    await openTab(this.page, name);
     await this.page.waitForFunction(() => document.querySelector(".app-waiting") === null);
     return name;
   }

@@ -3,6 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import { aStatus } from "../test/aStatus";
 import { Station } from "../test/station";
+import { TABS } from "./views/views";
 
 const heartbeat = {
   autopilot: false,
@@ -139,40 +140,65 @@ describe("the gateway's alarms", () => {
   });
 });
 
-const MAIN_TABS = [
-  "Vuelo",
-  "Datos de vuelo",
-  "Standard Six",
-  "Autopilot Param",
-  "HIL",
-  "HIL Standard Six",
-  "Planes de vuelo",
-  "Mapa 3D",
-  "AHRS 3D",
-  "Mensajes",
-  "Gráficas",
-  "Alarmas",
-  "Setup",
-  "Vuelos",
-];
+const GROUPS = {
+  Vuelo: ["Vista de vuelo", "Datos de vuelo", "Standard Six"],
+  Planes: ["Planes de vuelo", "Mapa 3D"],
+  "Autopilot Param": [],
+  HIL: ["HIL", "HIL Standard Six", "AHRS 3D"],
+  Vuelos: ["Vuelos", "Gráficas"],
+  "Mensajes y alarmas": ["Mensajes", "Alarmas"],
+  Setup: [],
+} as const;
+
+function tabNames(list: string): string[] {
+  const row = screen.queryByRole("tablist", { name: list });
+  return row === null
+    ? []
+    : within(row)
+        .getAllByRole("tab")
+        .map((tab) => tab.textContent);
+}
+
+async function pressTab(list: string, name: string): Promise<void> {
+  await userEvent
+    .setup()
+    .click(within(screen.getByRole("tablist", { name: list })).getByRole("tab", { name }));
+}
 
 describe("the tabs", () => {
-  test("that are built are there, and no others", () => {
+  test("stand in groups in the order of work, those of the open group beside them", async () => {
     flying();
-    const main = screen.getByRole("tablist", { name: "Pestañas principales" });
-    expect(
-      within(main)
-        .getAllByRole("tab")
-        .map((tab) => tab.textContent),
-    ).toEqual(MAIN_TABS);
+    expect(tabNames("Pestañas principales")).toEqual(Object.keys(GROUPS));
+    for (const [group, tabs] of Object.entries(GROUPS)) {
+      await pressTab("Pestañas principales", group);
+      expect(tabNames(`Pestañas de ${group}`)).toEqual(tabs);
+    }
   });
 
-  test("send nothing by being opened", async () => {
+  test("of a group: the one last open is open again when the group is", async () => {
+    flying();
+    await pressTab("Pestañas principales", "HIL");
+    await pressTab("Pestañas de HIL", "AHRS 3D");
+    await pressTab("Pestañas principales", "Vuelo");
+    expect(screen.getByRole("tabpanel", { name: "Datos de vuelo" })).toBeTruthy();
+    await pressTab("Pestañas principales", "HIL");
+    expect(screen.getByRole("tabpanel", { name: "AHRS 3D" })).toBeTruthy();
+  });
+
+  test("have an address each, which follows the open one and opens it", async () => {
     const station = flying();
-    const user = userEvent.setup();
-    for (const name of MAIN_TABS.toReversed()) {
-      await user.click(screen.getByRole("tab", { name }));
-      station.show();
+    await pressTab("Pestañas principales", "Setup");
+    expect(station.url).toBe("http://station/#tab=setup");
+    station.goTo("http://station/#tab=hilsix");
+    expect(screen.getByRole("tabpanel", { name: "HIL Standard Six" })).toBeTruthy();
+    station.goTo("http://station/#tab=none");
+    expect(screen.getByRole("tabpanel", { name: "HIL Standard Six" })).toBeTruthy();
+  });
+
+  test("send nothing by being opened", () => {
+    const station = flying();
+    for (const tab of TABS.toReversed()) {
+      station.openTab(tab);
     }
     expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);
   });

@@ -4,7 +4,6 @@ import { useStore } from "zustand";
 import { AccessBands } from "../features/access/AccessBands";
 import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
 import { AlarmBar } from "../features/alarms/AlarmBar";
-import { PrimaryDisplay } from "../features/fly/PrimaryDisplay";
 import { PresentStrip } from "../features/playback/PresentStrip";
 import { TimeBar } from "../features/playback/TimeBar";
 import { useAdmission } from "../requests/useRole";
@@ -23,6 +22,7 @@ import { StatusBar } from "./bars/StatusBar";
 import { FlightInstruments } from "./compact/FlightInstruments";
 import { Strip } from "./compact/Strip";
 import { DialogsProvider, FieldWished, LoadFailure } from "./dialogs";
+import { FlightDisplay } from "./FlightDisplay";
 import { LeftPanel } from "./LeftPanel";
 import { useLayout, useLayoutOnDocument } from "./layout";
 import { MainTabs } from "./MainTabs";
@@ -159,7 +159,7 @@ function Window() {
                 {isWide && <Dock edge="left" />}
                 {/* Another page, other components: nothing that one of them remembers is of the other page. */}
                 <div className="app-body" key={shown.key}>
-                  {tab === "fly" ? <PrimaryDisplay /> : isWide ? <LeftPanel /> : <FlightInstruments />}
+                  {tab === "fly" ? <FlightDisplay /> : isWide ? <LeftPanel /> : <FlightInstruments />}
                   <main className="app-main">
                     <MainTabs layout={layout} />
                     <Tuning />

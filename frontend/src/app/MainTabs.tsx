@@ -1,42 +1,100 @@
-import type { ReactNode } from "react";
+import { type ReactNode, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { UnseenAlarms } from "../features/alarms/UnseenAlarms";
 import { usePage } from "../store/hooks";
 import { choose } from "../store/settings";
-import { Tabs } from "../ui/Tabs";
-import { AllTabs } from "./compact/AllTabs";
-import { TabIcon } from "./compact/TabIcon";
+import { TabRow, Tabs } from "../ui/Tabs";
+import { GroupIcon } from "./compact/GroupIcon";
+import { GroupMenu } from "./compact/GroupMenu";
 import { LoadFailure } from "./dialogs";
 import type { Layout } from "./layout";
-import { TABS, type TabName, useOpenTab, VIEWS } from "./views/views";
+import {
+  groupOf,
+  lastTabOf,
+  TAB_GROUPS,
+  type TabGroup,
+  type TabName,
+  useOpenTab,
+  VIEWS,
+} from "./views/views";
 
-/** In a bar that does not hold all tabs, what is needed in flight comes first. */
-const FIRST_IN_BAR = ["fly", "map", "plans", "alarms"] as const satisfies readonly TabName[];
-const BAR: readonly TabName[] = [
-  ...FIRST_IN_BAR,
-  ...TABS.filter((tab) => !FIRST_IN_BAR.some((one) => one === tab)),
-];
-
-/** The main tabs; the one last open is remembered. */
+/**
+ * The groups of tabs; one opens where it was left. The tabs of the open one stand beside the groups, or, in a small window,
+ * in a menu that a further press on the group opens.
+ */
 export function MainTabs({ layout }: { readonly layout: Layout }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const isWide = layout === "wide";
+  const tab = useOpenTab();
+  const open = groupOf(tab);
+  const pressed = useRef<HTMLElement>(null);
+  const [isMenuOpen, setMenuOpen] = useState(false);
+  const show = (one: TabName): void => choose(settings, "tab", one);
   return (
     <Tabs
       label={t("app.tabs")}
       size="main"
       className="app-tabs"
       orientation={layout === "beside" ? "vertical" : "horizontal"}
-      value={useOpenTab()}
-      onValueChange={(tab) => choose(settings, "tab", tab)}
-      trailing={isWide ? undefined : <AllTabs tabs={BAR} />}
-      tabs={(isWide ? TABS : BAR).map((tab) => ({
-        value: tab,
-        label: t(`tab.${tab}`),
-        icon: isWide ? undefined : <TabIcon tab={tab} />,
-        badge: tab === "alarms" ? <UnseenAlarms /> : undefined,
-        content: <View tab={tab} />,
+      value={open.name}
+      onValueChange={(name) => {
+        const group = TAB_GROUPS.find((one) => one.name === name);
+        if (group !== undefined) {
+          show(lastTabOf(settings.getState(), group));
+        }
+      }}
+      onPressAgain={(_, element) => {
+        pressed.current = element;
+        setMenuOpen(!isWide && open.tabs.length > 1);
+      }}
+      trailing={
+        isWide
+          ? open.tabs.length > 1 && <GroupTabs group={open} tab={tab} onOpen={show} />
+          : isMenuOpen && (
+              <GroupMenu
+                group={open}
+                tab={tab}
+                pressed={pressed}
+                onOpen={show}
+                onClose={() => setMenuOpen(false)}
+              />
+            )
+      }
+      tabs={TAB_GROUPS.map((group) => {
+        const hasMenu = !isWide && group.tabs.length > 1;
+        const shown = group === open ? tab : lastTabOf(settings.getState(), group);
+        return {
+          value: group.name,
+          label: t(`tabGroup.${group.name}`),
+          icon: isWide ? undefined : <GroupIcon group={group.name} hasMenu={hasMenu} />,
+          badge: group.name === "said" ? <UnseenAlarms /> : undefined,
+          hasMenu,
+          panelLabel: t(`tab.${shown}`),
+          content: <View key={shown} tab={shown} />,
+        };
+      })}
+    />
+  );
+}
+
+function GroupTabs(props: {
+  readonly group: TabGroup;
+  readonly tab: TabName;
+  readonly onOpen: (tab: TabName) => void;
+}) {
+  const { t } = useTranslation();
+  const { group, tab, onOpen } = props;
+  const tabs: readonly TabName[] = group.tabs;
+  return (
+    <TabRow
+      label={t("app.tabsOf", { group: t(`tabGroup.${group.name}`) })}
+      value={tab}
+      onValueChange={onOpen}
+      tabs={tabs.map((value) => ({
+        value,
+        label: t(`tab.${value}`),
+        badge: value === "alarms" ? <UnseenAlarms /> : undefined,
       }))}
     />
   );

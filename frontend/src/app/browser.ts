@@ -20,6 +20,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
     address: {
       read: () => window.location.href,
       replace: (address) => window.history.replaceState(null, "", address),
+      onMoved: (run) => window.addEventListener("hashchange", run),
     },
     versions: browserVersions(window, import.meta.env.PROD),
     fetch: (path, init) => window.fetch(path, init),

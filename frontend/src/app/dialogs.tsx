@@ -20,11 +20,13 @@ export const DIALOGS = {
   settings: lazyPart(async () => (await import("./settings/SettingsDialog")).SettingsContent),
   tablet: lazyPart(async () => (await import("../features/access/TabletContent")).TabletContent),
   drawer: lazyPart(async () => (await import("./compact/Drawer")).Drawer),
+  signal: lazyPart(async () => (await import("./SignalContent")).SignalContent),
   shortcuts: lazyPart(async () => (await import("./shortcuts/ShortcutsDialog")).ShortcutsContent),
 } as const satisfies Readonly<Record<DialogName, LazyPart>>;
 
 const SIZES: Readonly<Partial<Record<DialogName, "normal" | "drawer">>> = {
   settings: "normal",
+  signal: "normal",
   drawer: "drawer",
 };
 

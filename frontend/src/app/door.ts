@@ -3,10 +3,10 @@ import { ACCESS_ADMIN, createAccessAdmin } from "../features/access/accessAdmin"
 import { controlMessage } from "../features/access/controlEvents";
 import { CONTROL_PAGES, createControlPages } from "../features/access/controlPages";
 import { createEntry, ENTRY } from "../features/access/entry";
-import { takeAddressedKey } from "../features/access/keyAddress";
+import { addressedTab, addressOf, takeAddressedKey } from "../features/access/keyAddress";
 import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import type { Core, Group } from "./core";
-import { openAddressedTab } from "./views/views";
+import { followOpenTab, openAddressedTab } from "./views/views";
 
 /** Who may come in and who has control, and which version of the page it is. */
 export interface Door extends Group {
@@ -18,12 +18,12 @@ export interface Door extends Group {
 /** `open` begins the stream of who is admitted, `shutOut` ends it. */
 export function createDoor(core: Core, open: () => void, shutOut: () => void): Door {
   const { rest, timers, world, client } = core;
-  const addressed = takeAddressedKey(world.address);
+  const addressedKey = takeAddressedKey(world.address);
   const { entry, begin, review } = createEntry({
     rest,
     timers,
     admission: core.admission,
-    addressed,
+    addressedKey,
     isEncrypted: world.address.read().startsWith("https:"),
     start: open,
     stop: shutOut,
@@ -50,7 +50,13 @@ export function createDoor(core: Core, open: () => void, shutOut: () => void): D
     start: () => {
       begin();
       world.versions.onNewer((load) => newVersion.setState({ load }));
-      openAddressedTab(core.settings, addressed.tab);
+      followOpenTab(core.settings, (tab) => {
+        const { address } = world;
+        address.replace(addressOf(address.read(), tab.toLowerCase()));
+      });
+      const openAddressed = (): void => openAddressedTab(core.settings, addressedTab(world.address));
+      openAddressed();
+      world.address.onMoved(openAddressed);
     },
   };
 }

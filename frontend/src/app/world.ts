@@ -25,7 +25,8 @@ export interface World {
   readonly sounder: Sounder;
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;
-  readonly address: AddressLine;
+  /** `onMoved` is called when somebody changes what stands behind the number sign. */
+  readonly address: AddressLine & { readonly onMoved: (run: () => void) => void };
   readonly versions: PageVersions;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;

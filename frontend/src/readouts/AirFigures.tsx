@@ -5,12 +5,12 @@ import { formatHeading } from "../lib/format";
 import { usePage } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
-import { Readout, type ReadoutHandle } from "../ui/Readout";
+import { Readout, type ReadoutHandle, type ReadoutPress } from "../ui/Readout";
 import { useUnit } from "./useUnit";
 import { windNow } from "./wind";
 
 /** Height above the ground, where the station knows the ground and the position is live. */
-export function HeightFigure({ aircraft }: { aircraft: Aircraft }) {
+export function HeightFigure({ aircraft, press }: { aircraft: Aircraft; press?: ReadoutPress }) {
   const { t } = useTranslation();
   const { connection } = usePage();
   const altitude = useUnit("altitude");
@@ -28,11 +28,13 @@ export function HeightFigure({ aircraft }: { aircraft: Aircraft }) {
     [connection, altitude, aircraft],
   );
   usePaint("text", paint);
-  return <Readout ref={readout} label={t("map.figures.height")} unit={altitude.label} chars={5} />;
+  return (
+    <Readout ref={readout} label={t("map.figures.height")} unit={altitude.label} chars={5} press={press} />
+  );
 }
 
 /** The wind that the real aircraft's values imply now; without all of them there is none. */
-export function WindFigure() {
+export function WindFigure({ press }: { press?: ReadoutPress }) {
   const { t } = useTranslation();
   const speed = useUnit("speed");
   const readout = useRef<ReadoutHandle>(null);
@@ -46,5 +48,5 @@ export function WindFigure() {
     [speed],
   );
   usePaint("text", paint);
-  return <Readout ref={readout} label={t("map.figures.wind")} unit={speed.label} chars={8} />;
+  return <Readout ref={readout} label={t("map.figures.wind")} unit={speed.label} chars={8} press={press} />;
 }

@@ -5,7 +5,7 @@ import type { NumberField, TopicName } from "../protocol/topics";
 import { type Quantity, unitOfField } from "../store/chosenUnits";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
-import { Readout, type ReadoutHandle } from "../ui/Readout";
+import { Readout, type ReadoutHandle, type ReadoutPress } from "../ui/Readout";
 import type { Format } from "./formats";
 import type { Notation } from "./notations";
 import { useUnit } from "./useUnit";
@@ -35,6 +35,7 @@ export type ReadoutRows = {
 
 interface Props extends ReadoutRow {
   readonly topic: TopicName;
+  readonly press?: ReadoutPress | undefined;
 }
 
 /** One number of a topic, with its state: painted ten times a second, without a render. */
@@ -61,7 +62,8 @@ interface ReadoutText extends Omit<Props, "as"> {
   readonly word?: string;
 }
 
-function PaintedReadout({ topic, field, format, label, group, unit, word, chars, size }: ReadoutText) {
+function PaintedReadout(props: ReadoutText) {
+  const { topic, field, format, label, group, unit, word, chars, size, press } = props;
   const { t } = useTranslation();
   const readout = useRef<ReadoutHandle>(null);
   const paint = useCallback(
@@ -79,6 +81,7 @@ function PaintedReadout({ topic, field, format, label, group, unit, word, chars,
       unit={word ?? (unit === undefined ? undefined : t(unit))}
       chars={chars}
       size={size}
+      press={press}
     />
   );
 }

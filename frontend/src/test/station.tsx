@@ -6,6 +6,7 @@ import { CATALOGUES } from "../app/catalogues";
 import { loadParts } from "../app/dialogs";
 import { createPage } from "../app/page";
 import { SHOWN } from "../app/past";
+import type { TabName } from "../app/views/views";
 import type { World } from "../app/world";
 import { PLAYBACK } from "../features/playback/playbackRequests";
 import { createI18n } from "../i18n/i18n";
@@ -73,6 +74,7 @@ export class Station {
   readonly page: Page;
   #seq = 0;
   #offered: (load: () => void) => void = () => undefined;
+  #moved: () => void = () => undefined;
 
   /** Shows the whole page, or the part of it that a test is about. */
   constructor(shown: ReactElement = <App />, url = "http://station/") {
@@ -97,6 +99,7 @@ export class Station {
         replace: (address) => {
           this.url = address;
         },
+        onMoved: (run) => (this.#moved = run),
       },
       versions: { onNewer: (hear) => (this.#offered = hear), look: () => undefined },
       fetch: (path, init) => this.#ask(path, init),
@@ -197,6 +200,18 @@ export class Station {
   /** Let the replay say something, and show it. */
   replayed(run: (replay: FakeReplay) => void): void {
     act(() => run(this.replay));
+    this.show();
+  }
+
+  /** Opens a main tab, as by its address. */
+  openTab(tab: TabName): void {
+    this.goTo(`http://station/#tab=${tab.toLowerCase()}`);
+  }
+
+  /** Somebody writes another address into the browser's line, of which only the part behind the number sign differs. */
+  goTo(url: string): void {
+    this.url = url;
+    act(() => this.#moved());
     this.show();
   }
 

@@ -1,5 +1,7 @@
 import { type CSSProperties, type ReactNode, type Ref, useImperativeHandle, useRef } from "react";
+import { usePress } from "./refusal";
 import { SteadyText, type SteadyTextHandle } from "./SteadyText";
+import { Tooltip } from "./Tooltip";
 import type { DataState } from "./words";
 import "./Readout.css";
 import { useWords } from "./words";
@@ -30,6 +32,15 @@ export function ReadoutGrid({
   );
 }
 
+/** What a press on a reading does. */
+export interface ReadoutPress {
+  /** Accessible name. */
+  readonly label: string;
+  readonly onPress: () => void;
+  /** Why it does nothing: the answer to a press. */
+  readonly disabledReason?: string | undefined;
+}
+
 interface Props {
   ref?: Ref<ReadoutHandle>;
   label: string;
@@ -37,13 +48,14 @@ interface Props {
   /** Room for the number, in characters. A longer number takes more room and is not cut. */
   chars?: number | undefined;
   size?: "normal" | "large" | undefined;
+  press?: ReadoutPress | undefined;
 }
 
 /** Shown without a number: as wide as one, and cannot be taken for a zero. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
 /** One reading: name, number, unit, and whether it is live. Painted through its handle, without a render. */
-export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props) {
+export function Readout({ ref, label, unit, chars = 7, size = "normal", press }: Props) {
   const words = useWords();
   const root = useRef<HTMLDivElement>(null);
   const number = useRef<SteadyTextHandle>(null);
@@ -78,7 +90,25 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
         <SteadyText ref={number} chars={chars} initial={DASHES} className="ui-readout-number" />
         {unit !== undefined && <span className="ui-readout-unit">{unit}</span>}
         <span ref={word} className="visually-hidden" />
+        {press !== undefined && <PressArea {...press} />}
       </dd>
     </div>
+  );
+}
+
+/** A button over the whole reading. */
+function PressArea({ label, onPress, disabledReason }: ReadoutPress) {
+  const press = usePress(disabledReason);
+  return (
+    <Tooltip text={disabledReason ?? label}>
+      <button
+        type="button"
+        className="ui-readout-press"
+        aria-label={label}
+        aria-description={disabledReason}
+        aria-disabled={disabledReason !== undefined || undefined}
+        onClick={() => press(onPress)}
+      />
+    </Tooltip>
   );
 }

@@ -1,7 +1,7 @@
 import { render, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
-import { Tabs } from "./Tabs";
+import { TabRow, Tabs } from "./Tabs";
 
 const TABS = [
   { value: "flight", label: "Flight", content: "flight panel" },
@@ -31,4 +31,22 @@ test("a page that owns the open tab is asked and decides", async () => {
   await userEvent.click(screen.getByRole("tab", { name: "Setup" }));
   expect(onValueChange).toHaveBeenCalledWith("setup");
   expect(screen.getByText("flight panel")).toBeDefined();
+});
+
+test("a press on the open tab is told, the press that opened it is not", async () => {
+  const onPressAgain = vi.fn();
+  const { rerender } = render(<Tabs label="Main" tabs={TABS} value="flight" onPressAgain={onPressAgain} />);
+  const setup = screen.getByRole("tab", { name: "Setup" });
+  await userEvent.click(setup);
+  expect(onPressAgain).not.toHaveBeenCalled();
+  rerender(<Tabs label="Main" tabs={TABS} value="setup" onPressAgain={onPressAgain} />);
+  await userEvent.click(setup);
+  expect(onPressAgain).toHaveBeenCalledExactlyOnceWith("setup", setup);
+});
+
+test("a row of tabs without panels opens by press and by arrow key", async () => {
+  const onValueChange = vi.fn();
+  render(<TabRow label="Group" tabs={TABS} value="flight" onValueChange={onValueChange} />);
+  await userEvent.click(screen.getByRole("tab", { name: "Setup" }));
+  expect(onValueChange).toHaveBeenLastCalledWith("setup");
 });

@@ -1,7 +1,9 @@
 import { act, fireEvent, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
+import { TAB_GROUPS } from "../views/views";
 
 /** The window's size, which media queries see. */
 let size = { width: 1366, height: 768, isCoarse: false };
@@ -80,31 +82,51 @@ test.each([
   expect(layout()).toBe(wanted);
 });
 
-test("a wide window has no drawer and no tabs but those in their order", () => {
+test("a wide window has no drawer, and its groups of tabs no menus", () => {
   new Station().greet();
   expect(screen.queryByRole("button", { name: "Menú" })).toBeNull();
-  expect(screen.queryByRole("button", { name: "Más pestañas" })).toBeNull();
-  expect(screen.getAllByRole("tab")[1]?.textContent).toBe("Datos de vuelo");
+  fireEvent.click(group("Vuelo"));
+  expect(screen.queryByRole("menu")).toBeNull();
+  expect(screen.getByRole("tab", { name: "Datos de vuelo" })).toBeTruthy();
 });
 
+function group(name: string): HTMLElement {
+  const bar = screen.getByRole("tablist", { name: "Pestañas principales" });
+  return within(bar).getByRole("tab", { name });
+}
+
 describe("on a phone", () => {
-  test("the bar begins with what is needed in flight, and has every tab", () => {
+  test("the bar has the groups of a wide window in the same order", () => {
     onPhone();
     const bar = screen.getByRole("tablist", { name: "Pestañas principales" });
     const names = within(bar)
       .getAllByRole("tab")
       .map(({ textContent }) => textContent);
-    expect(names.slice(0, 4)).toEqual(["Vuelo", "Mapa 3D", "Planes de vuelo", "Alarmas"]);
-    expect(names).toHaveLength(14);
+    expect(names[0]).toBe("Vuelo");
+    expect(names).toHaveLength(TAB_GROUPS.length);
+    expect(screen.getAllByRole("tablist")[0]).toBe(bar);
   });
 
-  test("the menu of all tabs opens one", () => {
+  test("a press on a group opens it, a further one the menu of its tabs", async () => {
+    const user = userEvent.setup();
     const station = onPhone();
-    fireEvent.click(screen.getByRole("button", { name: "Más pestañas" }));
-    fireEvent.click(screen.getByRole("menuitemradio", { name: "Setup" }));
+    await user.click(group("HIL"));
+    expect(screen.queryByRole("menu"), "the press that opened the group").toBeNull();
+    await user.click(group("HIL"));
     station.show();
-    expect(screen.getByRole("tab", { name: "Setup" }).getAttribute("aria-selected")).toBe("true");
+    await user.click(screen.getByRole("menuitemradio", { name: "AHRS 3D" }));
+    station.show();
+    expect(screen.getByRole("tabpanel", { name: "AHRS 3D" })).toBeTruthy();
     expect(screen.queryByRole("menu")).toBeNull();
+  });
+
+  test("a group of one tab has no menu", async () => {
+    const user = userEvent.setup();
+    onPhone();
+    await user.click(group("Setup"));
+    await user.click(group("Setup"));
+    expect(screen.queryByRole("menu")).toBeNull();
+    expect(group("Setup").hasAttribute("aria-haspopup")).toBe(false);
   });
 
   test("what is flown by stands over every tab: attitude, heading, speeds, altitude", () => {

@@ -21,8 +21,10 @@ export function AircraftMenu() {
   const { t } = useTranslation();
   return (
     <Menu label={t("menu.aircraft")}>
-      <SourceItem source="rc" label={t("menu.planeRc")} />
-      <SourceItem source="joystick" label={t("menu.planeJoystick")} />
+      <MenuGroup label={t("toolbar.source")}>
+        <SourceItem source="rc" label={t("menu.planeRc")} />
+        <SourceItem source="joystick" label={t("menu.planeJoystick")} />
+      </MenuGroup>
       <MenuRule />
       <MenuGroup label={t("gamepad.stick")}>
         <StickItems />

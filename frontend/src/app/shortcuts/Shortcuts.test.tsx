@@ -4,6 +4,7 @@ import { describe, expect, test } from "vitest";
 import { TIME_KEYS } from "../../features/playback/timeKeys";
 import { Station } from "../../test/station";
 import { chooseKeys } from "../settings/choices";
+import { TAB_GROUPS, TABS } from "../views/views";
 import { SHORTCUTS } from "./table";
 
 const QUICK = { pointerEventsCheck: 0, delay: null } as const;
@@ -94,7 +95,7 @@ test("the keys work again when a menu, or a dialog that came from one, was close
   await user.keyboard("{Escape}");
   expect(document.activeElement).toBe(title);
   await user.keyboard("2");
-  expect(tab()).toBe("six");
+  expect(tab()).toBe("plans");
   await user.keyboard("a{Enter}");
   expect(asked(station), "Enter confirms, and opens no menu").toEqual(["/api/v1/commands/autopilot_on"]);
 
@@ -103,15 +104,24 @@ test("the keys work again when a menu, or a dialog that came from one, was close
   await user.click(screen.getByText("Atajos de teclado"));
   screen.getByRole("dialog", { name: "Atajos de teclado" });
   await user.keyboard("4{Escape}");
-  expect(tab()).toBe("six");
+  expect(tab()).toBe("plans");
   await user.keyboard("4");
-  expect(tab()).not.toBe("six");
+  expect(tab()).toBe("hil");
 });
 
-test("a digit opens its tab", () => {
+test("the digits open the groups of tabs in their order on the screen, and again each tab of a group in turn", () => {
   const station = flying();
-  press("2");
-  expect(station.page.settings.getState().choices["tab"]).toBe("six");
+  const opened: Array<string | undefined> = [];
+  for (const [place, { tabs }] of TAB_GROUPS.entries()) {
+    for (const _ of tabs) {
+      press(`${place + 1}`);
+      opened.push(station.page.settings.getState().choices["tab"]);
+    }
+  }
+  // The page began on the second tab of the first group.
+  expect(opened).toEqual(["six", "fly", "flight", ...TABS.slice(3)]);
+  press("1");
+  expect(station.page.settings.getState().choices["tab"], "where the group was left").toBe("flight");
 });
 
 test("each shortcut has a key, and no two have the same", () => {

@@ -7,7 +7,7 @@ import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
 import type { DialogName } from "../views/useDialogs";
-import { TABS, type TabName } from "../views/views";
+import { openGroup, TAB_GROUPS } from "../views/views";
 
 /** What a shortcut can use. */
 export interface Reach {
@@ -40,34 +40,17 @@ function command(key: string, name: CommandName, control: string, asked?: string
   };
 }
 
-/** The digit row from left to right; the tabs that came later have a letter, so that no other tab's key changed. */
-const TAB_KEYS: Readonly<Record<TabName, string>> = {
-  fly: "p",
-  flight: "1",
-  six: "2",
-  params: "3",
-  hil: "4",
-  hilSix: "5",
-  plans: "6",
-  map: "7",
-  ahrs3d: "8",
-  messages: "9",
-  alarms: "0",
-  setup: "-",
-  plots: "g",
-  flights: "f",
-};
-
 /** The one list of shortcuts: the keys are bound and the help sheet is written from it. */
 export const SHORTCUTS: readonly Shortcut[] = [
-  ...TABS.map(
-    (tab): Shortcut => ({
-      key: TAB_KEYS[tab],
+  // The digits in the order in which the groups stand.
+  ...TAB_GROUPS.map(
+    (group, place): Shortcut => ({
+      key: `${place + 1}`,
       group: "tabs",
-      words: "shortcut.tab",
-      params: { tab: `@tab.${tab}` },
+      words: group.tabs.length > 1 ? "shortcut.group" : "shortcut.tab",
+      params: { tab: `@tabGroup.${group.name}` },
       isArmed: false,
-      run: ({ page }) => choose(page.settings, "tab", tab),
+      run: ({ page }) => openGroup(page.settings, group),
     }),
   ),
   command("a", "autopilot_on", "autopilot", "on"),

@@ -1,10 +1,16 @@
+import { Flag } from "lucide-react";
+import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { AutopilotSwitch } from "../../features/controls/AutomaticSwitches";
 import { FlightSentence } from "../../features/fly/FlightSentence";
 import { FlightMap } from "../../features/map/PlanMap";
+import { FlightProfile } from "../../features/map/profile/FlightProfile";
+import { MarkDialog } from "../../features/playback/MarkDialog";
+import { useIsRecording, usePlayback } from "../../features/playback/usePlayback";
 import { PLAN } from "../../missions/planFacts";
 import { useFlownAircraft } from "../../readouts/flownAircraft";
 import { CommandButton } from "../../requests/CommandButton";
+import { Button } from "../../ui/Button";
 
 /** The flight view beside its display: one sentence, the map, and what a pilot presses. */
 export function FlyTab() {
@@ -16,6 +22,7 @@ export function FlyTab() {
         <FlightMap plan={aircraft} />
       </div>
       <Actions plan={PLAN[aircraft]} />
+      <FlightProfile plan={aircraft} />
     </div>
   );
 }
@@ -28,6 +35,28 @@ function Actions({ plan }: { readonly plan: (typeof PLAN)["hil"] }) {
       <AutopilotSwitch />
       <CommandButton command={plan.previous}>{t("fms.previous")}</CommandButton>
       <CommandButton command={plan.next}>{t("fms.next")}</CommandButton>
+      <Mark />
     </div>
+  );
+}
+
+/** Marks this moment of the flight: Enter sets the mark, its words can come later. */
+function Mark() {
+  const { t } = useTranslation();
+  const isRecording = useIsRecording();
+  const isPast = usePlayback(({ flight }) => flight !== null);
+  const [isAsking, setAsking] = useState(false);
+  return (
+    <>
+      <Button
+        onPress={() => setAsking(true)}
+        label={t("time.markLong")}
+        disabledReason={isRecording || isPast ? undefined : t("time.none")}
+        icon={<Flag size={16} aria-hidden="true" />}
+      >
+        {t("time.mark")}
+      </Button>
+      {isAsking && <MarkDialog onClose={() => setAsking(false)} />}
+    </>
   );
 }

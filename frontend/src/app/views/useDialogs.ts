@@ -10,7 +10,8 @@ export type DialogName =
   | "settings"
   | "tablet"
   | "drawer"
-  | "shortcuts";
+  | "shortcuts"
+  | "signal";
 
 export interface Question {
   readonly title: string;

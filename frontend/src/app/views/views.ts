@@ -1,25 +1,20 @@
 import { useSettings } from "../../store/hooks";
-import { choose, type SettingsStore } from "../../store/settings";
+import { choose, type Settings, type SettingsStore } from "../../store/settings";
 import { type LazyPart, lazyPart } from "../../ui/lazyPart";
 
-/** The main tabs, in their order. */
-export const TABS = [
-  "fly",
-  "flight",
-  "six",
-  "params",
-  "hil",
-  "hilSix",
-  "plans",
-  "map",
-  "ahrs3d",
-  "messages",
-  "plots",
-  "alarms",
-  "setup",
-  "flights",
+/** The main tabs in groups, in the order of work. */
+export const TAB_GROUPS = [
+  { name: "fly", tabs: ["fly", "flight", "six"] },
+  { name: "plans", tabs: ["plans", "map"] },
+  { name: "params", tabs: ["params"] },
+  { name: "hil", tabs: ["hil", "hilSix", "ahrs3d"] },
+  { name: "flights", tabs: ["flights", "plots"] },
+  { name: "said", tabs: ["messages", "alarms"] },
+  { name: "setup", tabs: ["setup"] },
 ] as const;
-export type TabName = (typeof TABS)[number];
+export type TabGroup = (typeof TAB_GROUPS)[number];
+export type TabName = TabGroup["tabs"][number];
+export const TABS: readonly TabName[] = TAB_GROUPS.flatMap(({ tabs }): readonly TabName[] => tabs);
 
 /** Each tab is loaded by itself, so that the first display does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
@@ -55,8 +50,30 @@ export async function loadViews(): Promise<void> {
 }
 
 /** The main tab that is open: the one last chosen. */
+export function openTabOf({ choices }: Settings): TabName {
+  return TABS.find((tab) => tab === choices["tab"]) ?? "fly";
+}
+
 export function useOpenTab(): TabName {
-  return useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "fly");
+  return useSettings(openTabOf);
+}
+
+export function groupOf(tab: TabName): TabGroup {
+  return TAB_GROUPS.find(({ tabs }) => tabs.some((one) => one === tab)) ?? TAB_GROUPS[0];
+}
+
+/** The tab of a group that was last open; at first its first one. */
+export function lastTabOf({ choices }: Settings, { name, tabs }: TabGroup): TabName {
+  return tabs.find((tab) => tab === choices[`tab.${name}`]) ?? tabs[0];
+}
+
+/** Open a group where it was left; its next tab if it is open already. */
+export function openGroup(settings: SettingsStore, group: TabGroup): void {
+  const now = settings.getState();
+  const open = openTabOf(now);
+  const tabs: readonly TabName[] = group.tabs;
+  const next = tabs[(tabs.indexOf(open) + 1) % tabs.length];
+  choose(settings, "tab", tabs.includes(open) && next !== undefined ? next : lastTabOf(now, group));
 }
 
 /** Open the tab that the address names; addresses are in small letters. An unknown name changes nothing. */
@@ -65,4 +82,17 @@ export function openAddressedTab(settings: SettingsStore, named: string | null):
   if (tab !== undefined) {
     choose(settings, "tab", tab);
   }
+}
+
+/** Calls `opened` with each main tab that is opened, and keeps it as the last one of its group. */
+export function followOpenTab(settings: SettingsStore, opened: (tab: TabName) => void): void {
+  settings.subscribe((now, before) => {
+    const tab = openTabOf(now);
+    if (tab !== openTabOf(before)) {
+      for (const one of [openTabOf(before), tab]) {
+        choose(settings, `tab.${groupOf(one).name}`, one);
+      }
+      opened(tab);
+    }
+  });
 }

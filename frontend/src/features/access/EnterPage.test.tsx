@@ -49,7 +49,7 @@ test("a stranger sees the way in and nothing of the vehicle, and the stream is n
 
 test("a key in the address leaves the address bar, and only name and place are asked", async () => {
   const station = new Station(undefined, "http://station/#key=7k2q-aaaa-bbbb-cccc&tab=map");
-  expect(station.url).toBe("http://station/");
+  expect(station.url).toBe("http://station/#tab=map");
   expect(station.wires.length).toBe(0);
   await newest(station, "me").answer(STRANGER);
   await sayWho();

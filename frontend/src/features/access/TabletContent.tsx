@@ -11,7 +11,7 @@ import { useAccessAdmin, useFreshLists } from "./useAccessLists";
 export function TabletContent() {
   const isOwner = useAdmission(({ role }) => role === "owner");
   // The interface's own name of the tab, in small letters as an address has it.
-  const tab = useSettings(({ choices }) => choices["tab"] ?? "flight").toLowerCase();
+  const tab = useSettings(({ choices }) => choices["tab"] ?? "fly").toLowerCase();
   return <div className="access-section">{isOwner ? <ForOwner tab={tab} /> : <Plain tab={tab} />}</div>;
 }
 

@@ -9,8 +9,6 @@ import { type Admission, type AdmissionStore, NOT_HEARD } from "../../store/admi
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
-import type { AddressedKey } from "./keyAddress";
-
 /** What the entry page shows besides who the station takes the user for. */
 export interface EntryState {
   /** The key that came with the address, until it is used or refused. */
@@ -47,7 +45,8 @@ interface EntryParts {
   readonly rest: Gateway;
   readonly timers: Timers;
   readonly admission: AdmissionStore;
-  readonly addressed: AddressedKey;
+  /** The key that the page's address carried. */
+  readonly addressedKey: string | null;
   readonly isEncrypted: boolean;
   /** Admitted: the stream may be dialled. Called again without a stop between is harmless. */
   readonly start: () => void;
@@ -71,9 +70,9 @@ const ME = "/api/v1/access/me";
  * nobody waits for the answer. Only a page that was opened with a key asks first.
  */
 export function createEntry(parts: EntryParts): EntryProcess {
-  const { rest, timers, admission, addressed, isEncrypted, start, stop } = parts;
+  const { rest, timers, admission, addressedKey, isEncrypted, start, stop } = parts;
   const store = createStore<EntryState>(() => ({
-    key: addressed.key,
+    key: addressedKey,
     isAsking: false,
     message: null,
     retry_ms: null,
@@ -180,7 +179,7 @@ export function createEntry(parts: EntryParts): EntryProcess {
   return {
     entry,
     begin: () => {
-      if (addressed.key === null) {
+      if (addressedKey === null) {
         start();
       }
       asks.run();

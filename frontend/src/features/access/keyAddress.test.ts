@@ -1,32 +1,37 @@
 import { expect, test } from "vitest";
-import { addressOf, isOfThisComputerAlone, readKey, takeAddressedKey } from "./keyAddress";
+import { addressedTab, addressOf, isOfThisComputerAlone, readKey, takeAddressedKey } from "./keyAddress";
 
-function take(address: string): { key: string | null; tab: string | null; left: string } {
+function take(address: string): { key: string | null; left: string } {
   let now = address;
-  const taken = takeAddressedKey({
+  const key = takeAddressedKey({
     read: () => now,
     replace: (next) => {
       now = next;
     },
   });
-  return { ...taken, left: now };
+  return { key, left: now };
 }
 
 test("the key leaves the address bar when it is taken, and what else the address says stays", () => {
   expect(take("http://station:8000/?flight=current&at=3.00#key=7K2Q-AAAA-BBBB-CCCC&tab=map")).toEqual({
     key: "7K2Q-AAAA-BBBB-CCCC",
-    tab: "map",
-    left: "http://station:8000/?flight=current&at=3.00",
+    left: "http://station:8000/?flight=current&at=3.00#tab=map",
   });
 });
 
+test("the tab that an address names stays in it", () => {
+  const read = (address: string) => addressedTab({ read: () => address });
+  expect(read("http://station:8000/#tab=map")).toBe("map");
+  expect(read("http://station:8000/#other=1")).toBeNull();
+});
+
 test("an address without a key is left as it is", () => {
-  expect(take("http://station:8000/")).toEqual({ key: null, tab: null, left: "http://station:8000/" });
+  expect(take("http://station:8000/")).toEqual({ key: null, left: "http://station:8000/" });
   expect(take("http://station:8000/#other=1").left).toBe("http://station:8000/#other=1");
 });
 
 test("an empty key is no key, and is removed all the same", () => {
-  expect(take("http://station:8000/#key=")).toEqual({ key: null, tab: null, left: "http://station:8000/" });
+  expect(take("http://station:8000/#key=")).toEqual({ key: null, left: "http://station:8000/" });
 });
 
 test("a key is read as people write it: small letters, without hyphens, O for zero, I and L for one", () => {

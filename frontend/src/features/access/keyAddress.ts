@@ -1,31 +1,27 @@
-/** What an invitation's address carries behind its number sign, which no server ever sees. */
-export interface AddressedKey {
-  readonly key: string | null;
-  /** The tab to open. */
-  readonly tab: string | null;
-}
-
 interface AddressLine {
   readonly read: () => string;
   readonly replace: (address: string) => void;
 }
 
 /**
- * Take key and tab from the address, once: a key that stays in the address bar is photographed, shared and kept in the
- * browser's history.
+ * Take the key from the address, where it stands behind the number sign, which no server ever sees. A key that stays in the
+ * address bar is photographed, shared and kept in the browser's history.
  */
-export function takeAddressedKey(line: AddressLine): AddressedKey {
+export function takeAddressedKey(line: AddressLine): string | null {
   const address = new URL(line.read());
   const fragment = new URLSearchParams(address.hash.slice(1));
   const key = fragment.get("key");
-  const tab = fragment.get("tab");
-  if (key !== null || tab !== null) {
+  if (key !== null) {
     fragment.delete("key");
-    fragment.delete("tab");
     address.hash = fragment.toString();
     line.replace(address.toString().replace(/#$/, ""));
   }
-  return { key: key === null || key.trim() === "" ? null : key.trim(), tab };
+  return key === null || key.trim() === "" ? null : key.trim();
+}
+
+/** The tab that the address names; null if none. */
+export function addressedTab(line: Pick<AddressLine, "read">): string | null {
+  return new URLSearchParams(new URL(line.read()).hash.slice(1)).get("tab");
 }
 
 /** The key as the station knows it: capitals, without spaces; the letters that look like digits are those digits. */

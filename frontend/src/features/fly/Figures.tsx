@@ -12,8 +12,14 @@ import { ReadoutGrid } from "../../ui/Readout";
 import { Select } from "../../ui/Select";
 import { chosenFigures, FIGURE_NAMES, FIGURES_CHOICE, type FigureName, figureOf } from "./figureChoice";
 
-/** Six numbers that the person chooses. */
-export function Figures({ aircraft }: { readonly aircraft: Aircraft }) {
+interface Props {
+  readonly aircraft: Aircraft;
+  /** Plot a signal, named as recordings name it. */
+  readonly onPlot: (signal: string) => void;
+}
+
+/** Six numbers that the person chooses; a press on one plots it. */
+export function Figures({ aircraft, onPlot }: Props) {
   const { t } = useTranslation();
   const [isChoosing, setChoosing] = useState(false);
   const names = useSettings(({ choices }) => choices[FIGURES_CHOICE]);
@@ -23,7 +29,7 @@ export function Figures({ aircraft }: { readonly aircraft: Aircraft }) {
       <ReadoutGrid>
         {shown.map((name, place) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: one figure may stand in two places
-          <OneFigure key={`${place} ${name}`} name={name} aircraft={aircraft} />
+          <OneFigure key={`${place} ${name}`} name={name} aircraft={aircraft} onPlot={onPlot} />
         ))}
       </ReadoutGrid>
       <Button
@@ -38,12 +44,23 @@ export function Figures({ aircraft }: { readonly aircraft: Aircraft }) {
   );
 }
 
-function OneFigure({ name, aircraft }: { readonly name: FigureName; readonly aircraft: Aircraft }) {
+function OneFigure({ name, aircraft, onPlot }: Props & { readonly name: FigureName }) {
+  const { t } = useTranslation();
   const figure = figureOf(name);
   if ("made" in figure) {
-    return figure.made === "height" ? <HeightFigure aircraft={aircraft} /> : <WindFigure />;
+    const isHeight = figure.made === "height";
+    const press = {
+      label: t("fly.plot", { name: t(isHeight ? "map.figures.height" : "map.figures.wind") }),
+      disabledReason: t("fly.notRecorded"),
+      onPress: () => undefined,
+    };
+    return isHeight ? <HeightFigure aircraft={aircraft} press={press} /> : <WindFigure press={press} />;
   }
-  return <LiveReadout {...figure} chars={6} />;
+  const press = {
+    label: t("fly.plot", { name: t(figure.label) }),
+    onPress: () => onPlot(`${figure.topic}.${figure.field}`),
+  };
+  return <LiveReadout {...figure} chars={6} press={press} />;
 }
 
 function Choice({ shown, onClose }: { readonly shown: readonly FigureName[]; readonly onClose: () => void }) {

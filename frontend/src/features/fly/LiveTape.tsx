@@ -7,6 +7,7 @@ import { useUnit } from "../../readouts/useUnit";
 import { type Quantity, usualUnit } from "../../store/chosenUnits";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
+import { Tooltip } from "../../ui/Tooltip";
 
 interface Props {
   quantity: Quantity & ("speed" | "altitude");
@@ -18,10 +19,12 @@ interface Props {
   /** Value and target in the usual unit, knots or feet; null if not live. */
   read: ReadLive;
   target: ReadLive;
+  /** What a press on it does. */
+  press: { readonly label: string; readonly onPress: () => void };
 }
 
 /** A tape over live values, in the unit that the user chose; by default in that of a cockpit. */
-export function LiveTape({ quantity, scales, attribute, side, label, read, target }: Props) {
+export function LiveTape({ quantity, scales, attribute, side, label, read, target, press }: Props) {
   const { t } = useTranslation();
   const unit = useUnit(quantity);
   const tape = useRef<TapeHandle>(null);
@@ -37,17 +40,22 @@ export function LiveTape({ quantity, scales, attribute, side, label, read, targe
     [t, label, format, unit],
   );
   return (
-    <Tape
-      ref={tape}
-      scale={tapeOf(scales, unit.name)}
-      usual={usualUnit(quantity)}
-      attribute={attribute}
-      side={side}
-      label={label}
-      unit={unit.label}
-      noDataText={t("words.noData")}
-      format={format}
-      describe={describe}
-    />
+    <div className="fly-tape" data-side={side}>
+      <Tape
+        ref={tape}
+        scale={tapeOf(scales, unit.name)}
+        usual={usualUnit(quantity)}
+        attribute={attribute}
+        side={side}
+        label={label}
+        unit={unit.label}
+        noDataText={t("words.noData")}
+        format={format}
+        describe={describe}
+      />
+      <Tooltip text={press.label}>
+        <button type="button" className="fly-press" aria-label={press.label} onClick={press.onPress} />
+      </Tooltip>
+    </div>
   );
 }

@@ -1,7 +1,7 @@
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { ALTITUDE_TAPES, SPEED_TAPES } from "../../instruments/tape/geometry";
 import type { Aircraft } from "../../lib/aircraft";
-import { AutomaticFlags } from "../../readouts/AutomaticFlags";
 import { useFlownAircraft } from "../../readouts/flownAircraft";
 import { LiveAttitude } from "../../readouts/LiveAttitude";
 import { LiveHeading, type ReadLive } from "../../readouts/LiveHeading";
@@ -23,8 +23,19 @@ const TARGET: Readonly<Record<Aircraft, { readonly altitude_ft: ReadLive; readon
   },
 };
 
-/** The primary flight display: the horizon between the tapes of speed and altitude, the heading, and six numbers. */
-export function PrimaryDisplay() {
+interface Props {
+  /** What stands over the horizon. */
+  readonly modes: ReactNode;
+  readonly onPlot: (signal: string) => void;
+  /** Change what the plan asks for at the waypoint that is flown to. */
+  readonly onTarget: (field: "altitude_ft" | "speed_kt") => void;
+}
+
+/**
+ * The primary flight display: the modes, the horizon between the tapes of speed and altitude, the heading, and six numbers. A
+ * press on a tape asks for another target.
+ */
+export function PrimaryDisplay({ modes, onPlot, onTarget }: Props) {
   const { t } = useTranslation();
   const aircraft = useFlownAircraft();
   const six = SIX[aircraft];
@@ -32,6 +43,7 @@ export function PrimaryDisplay() {
   const airspeed = six.airspeed(useTelemetry(isGpsSpeed));
   return (
     <aside className="fly-display" aria-label={t("fly.display")}>
+      {modes}
       <div className="fly-primary">
         <LiveTape
           quantity="speed"
@@ -41,6 +53,7 @@ export function PrimaryDisplay() {
           label={t("six.airspeed")}
           read={airspeed.read}
           target={target.speed_kt}
+          press={{ label: t("fly.target.speed_kt"), onPress: () => onTarget("speed_kt") }}
         />
         <div className="fly-attitude">
           <LiveAttitude topic={six.attitude} />
@@ -53,15 +66,13 @@ export function PrimaryDisplay() {
           label={t("fly.altitude")}
           read={six.altimeterBaro.read}
           target={target.altitude_ft}
+          press={{ label: t("fly.target.altitude_ft"), onPress: () => onTarget("altitude_ft") }}
         />
         <div className="fly-heading">
           <LiveHeading heading_deg={six.heading.read} bearing_deg={six.bearing_deg} />
         </div>
       </div>
-      <div className="fly-modes">
-        <AutomaticFlags of={aircraft} />
-      </div>
-      <Figures aircraft={aircraft} />
+      <Figures aircraft={aircraft} onPlot={onPlot} />
     </aside>
   );
 }

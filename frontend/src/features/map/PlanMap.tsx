@@ -10,6 +10,7 @@ import { FlatMap } from "./flat/FlatMap";
 import { Attribution } from "./layers/Attribution";
 import { FoldingPanel } from "./panels/FoldingPanel";
 import { FlyHere } from "./plan/FlyHere";
+import { TargetDialog } from "./plan/TargetDialog";
 import { useMapPlan } from "./plan/useMapPlan";
 import { OpenPlanContext } from "./plan/useOpenPlan";
 import { usePlanScene } from "./plan/usePlanScene";
@@ -59,6 +60,7 @@ export function FlightMap({ plan }: { plan: Aircraft }) {
           only={plan}
           over={<ThingCard />}
         />
+        <TargetDialog plan={plan} />
       </FlatContext>
     </OpenPlanContext>
   );

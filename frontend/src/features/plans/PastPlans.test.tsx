@@ -41,7 +41,7 @@ describe("a plan of a moment of the past", () => {
   async function inThePast(): Promise<void> {
     station = new Station();
     station.greet();
-    await user.click(screen.getByRole("tab", { name: "Planes de vuelo" }));
+    station.openTab("plans");
     station.openFlight("current", 100);
   }
 

@@ -90,6 +90,12 @@ export function withSignal(panes: Panes, pane: number, name: string): Panes {
     : panes.map((old, index) => (index === pane ? [...old, name] : old));
 }
 
+/** The panes with a plot of this signal, and which one it is: one that has it, or a new one above all others. */
+export function withPlotOf(panes: Panes, name: string): { readonly panes: Panes; readonly pane: number } {
+  const pane = panes.findIndex((signals) => signals.includes(name));
+  return pane >= 0 ? { panes, pane } : { panes: [[name], ...panes].slice(0, MOST_PANES), pane: 0 };
+}
+
 export function withoutSignal(panes: Panes, pane: number, name: string): Panes {
   return panes.map((old, index) => (index === pane ? old.filter((one) => one !== name) : old));
 }

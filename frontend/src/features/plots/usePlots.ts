@@ -3,7 +3,7 @@ import { useStore } from "zustand";
 import { useConnection, usePage, usePart, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import type { FeedState } from "./plotFeed";
-import { FIRST, type Panes, readPanes } from "./plotLayouts";
+import { FIRST, type Panes, readPanes, withPlotOf } from "./plotLayouts";
 import { CURRENT, PLOTS, type PlotsState, type ShownTime } from "./plots";
 
 export function usePlotsState<T>(select: (state: PlotsState) => T): T {
@@ -36,4 +36,15 @@ export function usePanes(): readonly [Panes, (panes: Panes) => void] {
   const panes = useMemo(() => readPanes(stored) ?? FIRST, [stored]);
   const set = useCallback((next: Panes) => choose(settings, CHOICE, JSON.stringify(next)), [settings]);
   return [panes, set];
+}
+
+/** Has a plot of a signal among the panes. */
+export function useShowSignal(): (name: string) => void {
+  const { store } = usePart(PLOTS);
+  const [panes, setPanes] = usePanes();
+  return (name) => {
+    const shown = withPlotOf(panes, name);
+    setPanes(shown.panes);
+    store.setState({ active: shown.pane });
+  };
 }

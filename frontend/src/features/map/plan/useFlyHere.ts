@@ -8,9 +8,17 @@ import type { MapPlan } from "./useMapPlan";
 /** Why the board cannot be sent to a place of the map now; undefined if it can. */
 export function useFlyHereBlocked(plan: MapPlan): string | undefined {
   const { t } = useTranslation();
+  const { maximum } = PLAN_LIMITS.count;
+  return (
+    useSendBlocked(plan) ?? (plan.waypoints.length >= maximum ? t("plans.isFull", { maximum }) : undefined)
+  );
+}
+
+/** Why the plan cannot be sent as it is, with one of its waypoints changed; undefined if it can. */
+export function useSendBlocked(plan: MapPlan): string | undefined {
+  const { t } = useTranslation();
   const blocked = useBoardBlocked();
   const unsupported = useNoTransfer().short;
-  const { maximum } = PLAN_LIMITS.count;
   const errors = plan.issues.filter(({ level, code }) => level === "error" && code !== "count").length;
   return (
     blocked ??
@@ -18,7 +26,6 @@ export function useFlyHereBlocked(plan: MapPlan): string | undefined {
     unsupported ??
     // What is not known would be overwritten.
     (plan.onBoard === null && plan.waypoints.length === 0 ? t("map.fly.readFirst") : undefined) ??
-    (plan.waypoints.length >= maximum ? t("plans.isFull", { maximum }) : undefined) ??
     (errors > 0 ? t("plans.fixFirst", { count: errors }) : undefined)
   );
 }

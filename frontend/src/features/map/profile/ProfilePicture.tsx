@@ -9,12 +9,16 @@ interface Props {
   /** Altitude, feet above the sea, in the reader's unit. */
   formatAltitude: (altitude_ft: number) => string;
   selected: number | null;
+  /** Of the picture in its own pixels: it is scaled to its place. */
+  width?: number;
 }
 
-const SIZE = { width: 600, height: 150, left: 52, bottom: 16, top: 10 };
+const FRAME = { height: 150, left: 52, bottom: 16, top: 10 };
 
 /** A plan seen from the side: its altitude over the ground, where that is known; elsewhere a broken line at the bottom. */
-export function ProfilePicture({ label, profile, waypoints, formatAltitude, selected }: Props) {
+export function ProfilePicture(props: Props) {
+  const { label, profile, waypoints, formatAltitude, selected, width = 600 } = props;
+  const size = { ...FRAME, width };
   const { places, heights } = profile;
   const total_m = places.at(-1)?.along_m ?? 0;
   const ground_ft = places.map((_, index) => {
@@ -25,17 +29,17 @@ export function ProfilePicture({ label, profile, waypoints, formatAltitude, sele
   const top_ft = 1.1 * Math.max(100, ...places.map(({ altitude_ft }) => altitude_ft), ...known);
   const bottom_ft = Math.min(0, ...known);
   const x = (along_m: number): number =>
-    SIZE.left + (total_m === 0 ? 0.5 : along_m / total_m) * (SIZE.width - SIZE.left - 8);
+    size.left + (total_m === 0 ? 0.5 : along_m / total_m) * (size.width - size.left - 8);
   const y = (altitude_ft: number): number =>
-    SIZE.height -
-    SIZE.bottom -
-    ((altitude_ft - bottom_ft) / (top_ft - bottom_ft)) * (SIZE.height - SIZE.bottom - SIZE.top);
-  const floor = SIZE.height - SIZE.bottom;
+    size.height -
+    size.bottom -
+    ((altitude_ft - bottom_ft) / (top_ft - bottom_ft)) * (size.height - size.bottom - size.top);
+  const floor = size.height - size.bottom;
   const marks = [bottom_ft, (bottom_ft + top_ft) / 2, top_ft];
   return (
     <svg
       className="map-profile-picture"
-      viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
+      viewBox={`0 0 ${size.width} ${size.height}`}
       role="img"
       aria-label={label}
     >
@@ -43,12 +47,12 @@ export function ProfilePicture({ label, profile, waypoints, formatAltitude, sele
         <g key={altitude_ft}>
           <line
             className="map-profile-grid"
-            x1={SIZE.left}
-            x2={SIZE.width}
+            x1={size.left}
+            x2={size.width}
             y1={y(altitude_ft)}
             y2={y(altitude_ft)}
           />
-          <text x={SIZE.left - 4} y={y(altitude_ft) + 4} textAnchor="end">
+          <text x={size.left - 4} y={y(altitude_ft) + 4} textAnchor="end">
             {formatAltitude(altitude_ft)}
           </text>
         </g>
@@ -80,7 +84,7 @@ export function ProfilePicture({ label, profile, waypoints, formatAltitude, sele
       {rowPlaces(profile, waypoints).map(({ along_m, altitude_ft, row }) => (
         <g key={row} className="map-profile-waypoint" data-selected={row === selected}>
           <circle cx={x(along_m)} cy={y(altitude_ft)} r={row === selected ? 5 : 3.5} />
-          <text x={x(along_m)} y={SIZE.height - 3} textAnchor="middle">
+          <text x={x(along_m)} y={size.height - 3} textAnchor="middle">
             {row + 1}
           </text>
         </g>

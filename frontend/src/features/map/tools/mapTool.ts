@@ -26,14 +26,25 @@ export interface MapToolState {
   readonly menu: OpenMenu | null;
   /** The place that "fly here" asks about. */
   readonly flyTo: Position | null;
+  /** What of the waypoint that is flown to somebody wants changed. */
+  readonly target: TargetField | null;
 }
+
+export type TargetField = "altitude_ft" | "speed_kt";
 
 export type MapToolStore = StoreApi<MapToolState>;
 
 export const MAP_TOOL = partName<MapToolStore>("map tool");
 
 export function createMapTool(): MapToolStore {
-  return createStore<MapToolState>(() => ({ tool: "pick", measured: [], area: [], menu: null, flyTo: null }));
+  return createStore<MapToolState>(() => ({
+    tool: "pick",
+    measured: [],
+    area: [],
+    menu: null,
+    flyTo: null,
+    target: null,
+  }));
 }
 
 export function chooseTool(store: MapToolStore, tool: Tool): void {

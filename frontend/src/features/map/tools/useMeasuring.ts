@@ -1,4 +1,5 @@
 import { useCallback, useEffect, useMemo } from "react";
+import { formatHeading } from "../../../lib/format";
 import { bearing_deg, distance_m } from "../../../lib/geodesy";
 import { type Unit, useUnit } from "../../../readouts/useUnit";
 import type { GroundPlace } from "../../../scene/legs/target";
@@ -57,8 +58,9 @@ export function useMeasuring(): Measure {
     tools?.showDistance(
       places.map((place, index) => {
         const leg = legs[index - 1];
-        const label = leg === undefined ? "" : `${distance.format(leg.total_m)} ${distance.label}`;
-        return { ...place, label };
+        const bearing = leg === undefined ? null : formatHeading(leg.bearing_deg, 0);
+        const along = leg === undefined ? "" : `${distance.format(leg.total_m)} ${distance.label}`;
+        return { ...place, label: bearing === null ? along : `${along} · ${bearing}°` };
       }),
     );
   }, [tools, places, legs, distance]);
