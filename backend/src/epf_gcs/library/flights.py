@@ -235,8 +235,7 @@ class Flights:
 
     def preparing(self, flight: str) -> bool:
         """Whether the flight is being prepared now."""
-        job = self._preparing
-        return job is not None and job.flight == flight and not job.is_over
+        return (job := self._preparing) is not None and job.flight == flight and not job.is_over
 
     def in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
         """Run blocking work in the flights' thread."""

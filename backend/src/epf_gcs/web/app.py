@@ -53,7 +53,8 @@ from epf_gcs.web.interface.tls import routes as certificate_routes
 from epf_gcs.web.interface.track import routes as track
 from epf_gcs.web.serving.access_table import Gate
 from epf_gcs.web.serving.body_limits import BodyLimits
-from epf_gcs.web.serving.guard import Access, Entrance, Guard
+from epf_gcs.web.serving.guard import Entrance, Guard
+from epf_gcs.web.serving.origins import Access
 from epf_gcs.web.serving.page import install_page
 from epf_gcs.web.serving.problems import install_error_handlers
 from epf_gcs.web.serving.settings import Settings

@@ -24,7 +24,7 @@ from epf_gcs.errors import ErrorCode, GatewayError, InvalidInputError
 from epf_gcs.web.replays.busy_replay import BusyReplay
 from epf_gcs.web.replays.replay_conversation import ReplayConversation
 from epf_gcs.web.replays.replays import Replays
-from epf_gcs.web.serving.guard import Access
+from epf_gcs.web.serving.origins import Access
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.handshake import Refusal
 from epf_gcs.web.stream.hub import Hub

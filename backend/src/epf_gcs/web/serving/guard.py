@@ -5,13 +5,11 @@ Who asks is found before the request is routed, and held against the table of ac
 
 from __future__ import annotations
 
-import ipaddress
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, MutableMapping, Sequence
+from collections.abc import MutableMapping
 from dataclasses import dataclass
 from http import HTTPStatus
 from typing import Any, Final
-from urllib.parse import urlsplit
 
 import structlog
 from starlette.datastructures import Headers, MutableHeaders
@@ -32,6 +30,7 @@ from epf_gcs.errors import (
 )
 from epf_gcs.web.serving.access_table import API, Entry, Gate
 from epf_gcs.web.serving.body_limits import BodyLimits
+from epf_gcs.web.serving.origins import Access
 from epf_gcs.web.serving.problems import problem_of, problem_response
 
 _READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
@@ -42,94 +41,10 @@ _CONTENT_POLICY: Final = (
 # Swagger UI writes style attributes into its markup.
 _DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
 _DOCS_PATH: Final = "/api/docs"
-# Fetch Metadata, as all browsers send it: another server's page, or one of another port of this computer.
-_FOREIGN_SITES: Final = frozenset(("cross-site", "same-site"))
 _MOST_SAID: Final = 400
 _OF_GOOGLE_EARTH: Final = (".kml", ".kmz", ".dae")
 
 log = structlog.get_logger("gateway")
-
-
-def _only(values: Callable[[str], Sequence[str]], name: str) -> str | None:
-    found = values(name)
-    if len(found) > 1:
-        raise InvalidInputError(
-            "invalid_request", f"The header '{name}' came {len(found)} times: send it once.", field=name
-        )
-    return found[0] if found else None
-
-
-class Access:
-    """Rules for the header Host (the server's name in the URL) and Origin (the page that makes the request).
-
-    The Host check stops DNS rebinding: a page whose own domain resolves to this machine. The Origin check stops
-    requests from pages of other servers, Sec-Fetch-Site also those that only read: their answers are kept from them
-    anyway, but each costs us something. Programs other than browsers send neither and are accepted.
-    """
-
-    def __init__(self, hosts: Iterable[str], origins: Iterable[str], *, secure: bool = False) -> None:
-        """`secure`: the station speaks TLS itself."""
-        self._hosts = frozenset(host.lower() for host in hosts) | {"localhost"}
-        self._origins = frozenset(origins)
-        self._scheme = "https" if secure else "http"
-
-    def check(self, values: Callable[[str], Sequence[str]], *, reads: bool) -> None:
-        """`values` gives all values of a header; `reads`: nothing is commanded, so that any page may ask.
-
-        Raises GatewayError if Host is not one of this server's names or the page is another server's; InvalidInputError
-        if Host is no name at all, or if one of the two comes twice: others on the way may have read the other one.
-        """
-        host, origin = _only(values, "Host"), _only(values, "Origin")
-        self._check_host(host)
-        if reads:
-            self._check_site(values, origin)
-        else:
-            # A proxy that speaks TLS in our place says so.
-            self._check_origin(origin, host, {self._scheme, *values("X-Forwarded-Proto")})
-
-    def _check_host(self, host: str | None) -> None:
-        try:
-            parts = urlsplit(f"//{host or ''}")
-            name = parts.hostname or ""
-            _ = parts.port  # a ValueError if it is no number
-        except ValueError as error:
-            raise InvalidInputError(
-                "invalid_request", "The header 'Host' is no name of a server: correct it.", field="Host"
-            ) from error
-        if name not in self._hosts and not _is_number(name):
-            raise GatewayError(
-                "foreign_host",
-                f"This station does not answer to the name '{name}': use its number, or allow the name by "
-                "GCS_ALLOWED_HOSTS.",
-                host=name,
-            )
-
-    def _check_site(self, values: Callable[[str], Sequence[str]], origin: str | None) -> None:
-        """A page of another server may lead here, as a link does, and no more."""
-        if origin in self._origins or not _FOREIGN_SITES.intersection(values("Sec-Fetch-Site")):
-            return
-        if "navigate" in values("Sec-Fetch-Mode") and "document" in values("Sec-Fetch-Dest"):
-            return
-        raise GatewayError(
-            "foreign_origin",
-            "The page of another server may not ask this station: open the station's own page.",
-            origin=(origin or "")[:200],
-        )
-
-    def _check_origin(self, origin: str | None, host: str | None, schemes: Container[str]) -> None:
-        if origin is None or origin in self._origins:
-            return
-        try:
-            parts = urlsplit(origin)
-        except ValueError:
-            parts = urlsplit("")
-        if parts.scheme in schemes and parts.netloc.lower() == (host or "").lower():
-            return
-        raise GatewayError(
-            "foreign_origin",
-            f"The page {origin} may not command this station: open the station's own page.",
-            origin=origin[:200],
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -356,11 +271,3 @@ def _add_headers(message: Message, path: str) -> None:
     headers["Cross-Origin-Opener-Policy"] = "same-origin"
     if path.startswith("/api/v1/"):
         headers.setdefault("Cache-Control", "no-store")
-
-
-def _is_number(name: str) -> bool:
-    try:
-        ipaddress.ip_address(name)
-    except ValueError:
-        return False
-    return True

@@ -10,7 +10,7 @@ from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
 from epf_gcs.errors import GatewayError, InvalidInputError
-from epf_gcs.web.serving.guard import Access
+from epf_gcs.web.serving.origins import Access
 from epf_gcs.web.serving.problems import problem_response
 
 

@@ -156,10 +156,9 @@ def _drawn(name: str, lines: Sequence[Line]) -> NamedTrack:
 
 def _at_the_end(name: str, line: Line) -> Aircraft:
     """The aircraft at the end of the line, with its attitude there if known."""
-    _, latitude_deg, longitude_deg, altitude_m, heading_deg, pitch_deg, roll_deg = (
-        float(column[0]) for column in line.last()
-    )
-    place = (latitude_deg, longitude_deg, altitude_m)
+    last = line.last()
+    place = (float(last.latitude_deg[0]), float(last.longitude_deg[0]), float(last.altitude_m[0]))
+    heading_deg, pitch_deg, roll_deg = (float(one[0]) for one in (last.heading_deg, last.pitch_deg, last.roll_deg))
     return Aircraft(name, place) if math.isnan(heading_deg) else Aircraft(name, place, heading_deg, pitch_deg, roll_deg)
 
 
