@@ -61,18 +61,24 @@ export function createParameterActions(values: ParameterStore, parts: RequesterP
     await ask(["POST", `${PATH}/${kind}`], asker, (listed) => writtenEnd(changes, listed));
   }
 
+  async function refresh(): Promise<void> {
+    const { held } = values.getState();
+    const [listed, journal] = await Promise.all([
+      rest.ask("GET", PATH, isParameterList),
+      rest.ask("GET", `${PATH}/journal`, isParameterJournal),
+    ]);
+    if (journal.ok) takeJournal(values, journal.value);
+    if (!listed.ok) return;
+    if (values.getState().held === held) takeList(listed.value);
+    // What came meanwhile is newer than this answer, and perhaps of some gains alone.
+    else await refresh();
+  }
+
   return {
     values,
     write,
 
-    refresh: async () => {
-      const [listed, journal] = await Promise.all([
-        rest.ask("GET", PATH, isParameterList),
-        rest.ask("GET", `${PATH}/journal`, isParameterJournal),
-      ]);
-      if (listed.ok) takeList(listed.value);
-      if (journal.ok) takeJournal(values, journal.value);
-    },
+    refresh,
 
     load: async (asker) => {
       await ask(["POST", `${PATH}/load`], asker, () => ({
