@@ -62,16 +62,18 @@ export function createParameterActions(values: ParameterStore, parts: RequesterP
   }
 
   async function refresh(): Promise<void> {
-    const { held } = values.getState();
+    const before = values.getState();
     const [listed, journal] = await Promise.all([
       rest.ask("GET", PATH, isParameterList),
       rest.ask("GET", `${PATH}/journal`, isParameterJournal),
     ]);
+    if (values.getState() !== before) {
+      // What came meanwhile is newer than these answers, and perhaps of some gains alone.
+      await refresh();
+      return;
+    }
+    if (listed.ok) takeList(listed.value);
     if (journal.ok) takeJournal(values, journal.value);
-    if (!listed.ok) return;
-    if (values.getState().held === held) takeList(listed.value);
-    // What came meanwhile is newer than this answer, and perhaps of some gains alone.
-    else await refresh();
   }
 
   return {
