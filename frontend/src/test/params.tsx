@@ -48,13 +48,18 @@ export function writes(): unknown[] {
 
 /** The view alone, with a gateway that knows this. */
 export async function open(known: GainStates = {}, status = aStatus()): Promise<void> {
+  openUnanswered(status);
+  await answer(known);
+}
+
+/** The view alone, whose questions at its opening wait for their answer. */
+export function openUnanswered(status = aStatus()): void {
   station = new Station(
     <WordsProvider words={WORDS}>
       <ParamsView />
     </WordsProvider>,
   );
   station.greet(status);
-  await answer(known);
 }
 
 /** The whole page with this tab open. */
@@ -65,7 +70,8 @@ export async function openPage(): Promise<void> {
   await answer({});
 }
 
-async function answer(known: GainStates): Promise<void> {
+/** Answers the questions of an opening. */
+export async function answer(known: GainStates): Promise<void> {
   await newest("GET", /parameters$/).answer(listed(known));
   await newest("GET", /journal$/).answer({ entries: [], undo: null, redo: null });
 }

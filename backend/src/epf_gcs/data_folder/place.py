@@ -17,11 +17,14 @@ DEMONSTRATION: Final = "data-demonstration in a source tree, else epf-gcs-demons
 
 def data_folder() -> Path:
     """`data` in a source tree; else the place that this system has for a user's data, never where one stands."""
-    tree = source_tree()
-    return user_data_path("epf-gcs", appauthor=False) if tree is None else tree / "data"
+    return _folder("data", "epf-gcs")
 
 
 def demonstration_folder() -> Path:
     """Of `epf-run` with a board of its own: what a demonstration flew and was linked with is no station's business."""
+    return _folder("data-demonstration", "epf-gcs-demonstration")
+
+
+def _folder(in_tree: str, of_user: str) -> Path:
     tree = source_tree()
-    return user_data_path("epf-gcs-demonstration", appauthor=False) if tree is None else tree / "data-demonstration"
+    return user_data_path(of_user, appauthor=False) if tree is None else tree / in_tree

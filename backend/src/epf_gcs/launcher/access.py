@@ -11,8 +11,8 @@ from typing import Annotated, Final
 
 import typer
 
-from epf_gcs.data_folder.place import DEFAULT
-from epf_gcs.data_folder.whereabouts import folder_meant, of_running
+from epf_gcs.data_folder.whereabouts import of_running
+from epf_gcs.launcher.upkeep import FolderMeant
 
 LAUNCHER_KEY: Final = "GCS_LAUNCHER_KEY"
 """The variable by which the gateway knows the program that started it. Others of this machine cannot read it."""
@@ -56,16 +56,7 @@ def invite(
     ] = "",
     minutes: Annotated[float, typer.Option(help="How long the key can be used.")] = 60.0,
     first: Annotated[bool, typer.Option("--first", help="Only while nobody is owner yet; else nothing.")] = False,
-    data_dir: Annotated[
-        Path,
-        typer.Option(
-            show_envvar=False,
-            envvar="GCS_DATA_DIR",
-            help="The station's folder.",
-            default_factory=folder_meant,
-            show_default=DEFAULT,
-        ),
-    ],
+    data_dir: FolderMeant,
     host: Annotated[
         str, typer.Option(show_envvar=False, envvar="GCS_HOST", help="What the station listens on.")
     ] = "0.0.0.0",  # noqa: S104 - nothing listens here

@@ -24,6 +24,17 @@ _Folder = Annotated[
     Path,
     typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's data folder."),
 ]
+FolderMeant = Annotated[
+    Path,
+    typer.Option(
+        show_envvar=False,
+        envvar="GCS_DATA_DIR",
+        help="The station's data folder.",
+        default_factory=folder_meant,
+        show_default=DEFAULT,
+    ),
+]
+"""Of a command that looks at a station or asks it: who names none may mean the demonstration's."""
 _DATA: Final = data_folder()
 
 
@@ -47,16 +58,7 @@ def version() -> None:
 
 def doctor(
     *,
-    data_dir: Annotated[
-        Path,
-        typer.Option(
-            show_envvar=False,
-            envvar="GCS_DATA_DIR",
-            help="The station's data folder.",
-            default_factory=folder_meant,
-            show_default=DEFAULT,
-        ),
-    ],
+    data_dir: FolderMeant,
     port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The page's TCP port.")] = 8000,
 ) -> None:
     """Look for what keeps the station from working here, and say what mends it. Ends with 1 if something does."""

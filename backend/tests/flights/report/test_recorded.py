@@ -39,7 +39,7 @@ def test_the_battery_of_a_real_recording_is_in_its_report(tmp_path: Path) -> Non
     assert "battery" not in found.unknown
 
 
-class AskedFlight(MadeFlight):
+class FlightWitness(MadeFlight):
     """Has two samples of everything, and keeps what it was asked for."""
 
     def __init__(self) -> None:
@@ -64,8 +64,8 @@ class AskedFlight(MadeFlight):
         lambda flight: answers.overview(flight, PeriodCache(), 10),
     ],
 )
-def test_every_signal_that_is_read_is_one_of_the_definition(ask: Callable[[AskedFlight], object]) -> None:
-    flight = AskedFlight()
+def test_every_signal_that_is_read_is_one_of_the_definition(ask: Callable[[FlightWitness], object]) -> None:
+    flight = FlightWitness()
     ask(flight)
     assert len(flight.asked) > 2
     assert all(field in fields_of(topic) for topic, field in flight.asked)

@@ -1,7 +1,20 @@
 import { screen, within } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
 import { aStatus, heldBy } from "../../test/aStatus";
-import { field, listed, newest, open, row, station, type, unknown, user, writes } from "../../test/params";
+import {
+  answer,
+  field,
+  listed,
+  newest,
+  open,
+  openUnanswered,
+  row,
+  station,
+  type,
+  unknown,
+  user,
+  writes,
+} from "../../test/params";
 
 describe("the gains as the board has them", () => {
   test("are shown by group, with default, range, step and unit", async () => {
@@ -55,6 +68,16 @@ describe("the gains as the board has them", () => {
 });
 
 describe("a load", () => {
+  test("keeps what it read when an earlier question is answered after it", async () => {
+    openUnanswered();
+    await user.click(screen.getByRole("button", { name: "Load" }));
+    await newest("POST", /load$/).answer(listed({ k_roll: { value: 2.25, loaded: 2.25 } }));
+    await answer(unknown);
+    expect(field("k_roll").value).toBe("2.25");
+    await answer({ k_roll: { value: 2.25, loaded: 2.25 } });
+    expect(field("k_roll").value).toBe("2.25");
+  });
+
   test("only reads", async () => {
     await open(unknown);
     await user.click(screen.getByRole("button", { name: "Load" }));

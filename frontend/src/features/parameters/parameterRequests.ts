@@ -61,18 +61,26 @@ export function createParameterActions(values: ParameterStore, parts: RequesterP
     await ask(["POST", `${PATH}/${kind}`], asker, (listed) => writtenEnd(changes, listed));
   }
 
+  async function refresh(): Promise<void> {
+    const before = values.getState();
+    const [listed, journal] = await Promise.all([
+      rest.ask("GET", PATH, isParameterList),
+      rest.ask("GET", `${PATH}/journal`, isParameterJournal),
+    ]);
+    if (values.getState() !== before) {
+      // What came meanwhile is newer than these answers, and perhaps of some gains alone.
+      await refresh();
+      return;
+    }
+    if (listed.ok) takeList(listed.value);
+    if (journal.ok) takeJournal(values, journal.value);
+  }
+
   return {
     values,
     write,
 
-    refresh: async () => {
-      const [listed, journal] = await Promise.all([
-        rest.ask("GET", PATH, isParameterList),
-        rest.ask("GET", `${PATH}/journal`, isParameterJournal),
-      ]);
-      if (listed.ok) takeList(listed.value);
-      if (journal.ok) takeJournal(values, journal.value);
-    },
+    refresh,
 
     load: async (asker) => {
       await ask(["POST", `${PATH}/load`], asker, () => ({
