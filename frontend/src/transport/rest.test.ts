@@ -109,6 +109,35 @@ test("an answer that breaks off is a gateway that is not there", async () => {
   expect(await rest.file("/x", {})).toMatchObject({ problem: { code: "gateway_unreachable" } });
 });
 
+test.each([
+  ["PUT", "/api/v1/alarms/thresholds"],
+  ["POST", "/api/v1/alarms/battery_low/acknowledge"],
+] as const)("a question that a change (%s %s) overtook is asked again", async (method, path) => {
+  const answers: ((name: string) => void)[] = [];
+  const { rest, sent } = restThat(
+    () =>
+      new Promise((resolve) => {
+        answers.push((name) => resolve(Response.json({ name })));
+      }),
+  );
+  const asked = rest.ask("GET", "/api/v1/alarms/thresholds?of=all", isNamed);
+  const changed = rest.ask(method, path, isNamed, {});
+  answers[1]?.("changed");
+  await changed;
+  answers[0]?.("before");
+  await expect.poll(() => sent.length).toBe(3);
+  answers[2]?.("now");
+  expect(await asked).toEqual({ ok: true, value: { name: "now" } });
+});
+
+test("a question is asked once when what changed is something else", async () => {
+  const { rest, sent } = restThat(() => Response.json({ name: "x" }));
+  const asked = rest.ask("GET", "/api/v1/ports", isNamed);
+  await rest.ask("PUT", "/api/v1/hil", isNamed, {});
+  await asked;
+  expect(sent).toHaveLength(2);
+});
+
 test("a file goes to the gateway byte for byte, not as JSON", async () => {
   const { rest, sent } = restThat(() => Response.json({ name: "x" }));
   const content = new Blob([new Uint8Array([0xff, 0xfe, 0x3c, 0x00])]);

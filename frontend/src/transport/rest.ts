@@ -28,18 +28,45 @@ type Method = "GET" | "POST" | "PUT" | "PATCH" | "DELETE";
 /** Sends requests to the gateway and never throws: the answer is a value or a problem. */
 export class Rest {
   readonly #options: RestOptions;
+  /** How many changes of each resource have ended. */
+  readonly #changes = new Map<string, number>();
 
   constructor(options: RestOptions) {
     this.#options = options;
   }
 
-  /** Send a request and check its answer. A `Blob` is sent unchanged; any other body as JSON. */
+  /**
+   * Send a request and check its answer. A `Blob` is sent unchanged; any other body as JSON.
+   * A question is asked again if a change of the same resource ended meanwhile: what it was told is perhaps of before.
+   */
   async ask<T>(
     method: Method,
     path: string,
     check: Check<T>,
     body?: object,
     patience_ms = PATIENCE_MS,
+  ): Promise<Answer<T>> {
+    const resource = resourceOf(path);
+    const before = this.#changes.get(resource);
+    const answer = await this.#asked(method, path, check, body, patience_ms);
+    if (method !== "GET") {
+      this.#noteChange(resource);
+    } else if (this.#changes.get(resource) !== before) {
+      return this.ask(method, path, check, body, patience_ms);
+    }
+    return answer;
+  }
+
+  #noteChange(resource: string): void {
+    this.#changes.set(resource, (this.#changes.get(resource) ?? 0) + 1);
+  }
+
+  async #asked<T>(
+    method: Method,
+    path: string,
+    check: Check<T>,
+    body: object | undefined,
+    patience_ms: number,
   ): Promise<Answer<T>> {
     const answer = await this.#send(method, path, "application/json", body, patience_ms);
     if (!answer.ok) {
@@ -99,6 +126,8 @@ export class Rest {
       response = await this.#options.upload(path, { headers, body, onSent, signal });
     } catch {
       return signal.aborted ? failed("cancelled", "You cancelled it.") : unreachable();
+    } finally {
+      this.#noteChange(resourceOf(path));
     }
     const value = await jsonOf(response);
     if (!response.ok) {
@@ -145,6 +174,11 @@ export class Rest {
       ? unreachable()
       : { ok: false, problem: problemOf(problem, response.status) };
   }
+}
+
+/** What a request is about: the first name after the interface's version. */
+function resourceOf(path: string): string {
+  return path.split(/[/?]/, 4).join("/");
 }
 
 /** Marks an answer that broke off. */
