@@ -17,7 +17,6 @@ from epf_gcs.contract.shapes import Description, Output, Problem
 from epf_gcs.web.interface.events import EVENTS
 from epf_gcs.web.interface.flights import schemas as flights
 from epf_gcs.web.serving.access_table import MESSAGES, ROUTES, STREAMS, Entry
-from epf_gcs.web.serving.problems import MEDIA_TYPE
 
 OPENAPI_PATH: Final = "/api/v1/openapi.json"
 _REFERENCE: Final = "#/components/schemas/{model}"
@@ -127,7 +126,6 @@ def describe(app: FastAPI) -> Description:
         )
         for path, operations in schema["paths"].items():
             for method, operation in operations.items():
-                _name_problems(operation["responses"])
                 _say_who_may(operation, ROUTES[method.upper(), path])
         schema["components"]["securitySchemes"] = _SECURITY
         schema["x-stream"] = {"opening": _least(STREAMS), "messages": _least(MESSAGES)}
@@ -166,10 +164,3 @@ def _least(entries: Mapping[str, Entry]) -> Description:
 
 def _name_of(entry: Entry) -> str:
     return "anyone" if entry.least == OPEN else Role(entry.least).name
-
-
-def _name_problems(responses: Description) -> None:
-    for status, response in responses.items():
-        content = response.get("content", {})
-        if status.startswith(("4", "5")) and "application/json" in content:
-            response["content"] = {MEDIA_TYPE: content["application/json"]}
