@@ -41,9 +41,7 @@ class Emulator:
             return f"{VERSION}\n" in station.text
 
         station.wait(answers)
-        # Answers come in order: behind this one there is none left of what was asked more than once.
-        station.send(b"settled\n")
-        station.wait(lambda: "unknown: settled (try `help`)\n" in station.text)
+        station.settle()
         return station
 
     def _connected(self) -> Station:

@@ -205,9 +205,12 @@ class Station:
             return self._pending_text().endswith(f"\r{VERSION}\n")
 
         self.wait(is_left)
-        # What was asked more than once is answered more than once, and all of it before this.
-        self.send(b"\nwhat-is-last\n")
-        self.wait(lambda: self._pending_text().endswith("unknown: what-is-last (try `help`)\n"))
+        self.settle()
+
+    def settle(self) -> None:
+        """Wait for the answers of the shell to what was asked more than once: they come before this one's."""
+        self.send(b"\nsettled\n")
+        self.wait(lambda: self._pending_text().endswith("unknown: settled (try `help`)\n"))
 
     def command(self, name: str, *values: float) -> None:
         self.send(encode_command(name, *values))

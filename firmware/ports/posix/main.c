@@ -26,7 +26,7 @@ enum
     exit_hangs = 3
 };
 
-static const uint32_t watchdog_patience = 3; ///< longer deadlines, because other programs use the PC too
+static const uint32_t watchdog_patience = 10; ///< longer deadlines, because other programs use the PC too
 
 static int stop_fd = -1;
 
