@@ -1,4 +1,4 @@
-import { act, screen } from "@testing-library/react";
+import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import type { Waypoint } from "../lib/plan";
@@ -107,6 +107,23 @@ test("a question follows the board to its next waypoint", async () => {
   await press("send");
   station.send({ fms_plan: { waypoint: 2 } });
   expect(screen.getByRole("button", { name: "Enviar y seguir al 4" })).toBeDefined();
+});
+
+test("a question that did not know where the board flies to offers to go on as soon as that is known", async () => {
+  const station = edited();
+  station.send({ fms_plan: { waypoint: 1 }, heartbeat: { autopilot: true } });
+  station.pass(60_000);
+  await press("send");
+  const question = screen.getByRole("alertdialog");
+  const last = () => within(question).getAllByRole("button").at(-1)?.textContent;
+  expect(last()).toBe("Enviar y empezar por el 1");
+  station.send({ fms_plan: { waypoint: 1 } });
+  expect(question.textContent).toContain("La placa vuela al waypoint 2");
+  expect(last()).toBe("Enviar y empezar por el 1");
+  await press("Enviar y seguir al 3");
+  await flown(station);
+  await newest(station).answer(sent);
+  expect(newest(station).body).toEqual({ value: { plan: 0, index: 2 } });
 });
 
 test("a board that shall go on is told so, to the same waypoint, once it has the plan", async () => {

@@ -38,8 +38,8 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const { state, stateText } = useAsked(control);
   const now = useFlown(plan, onBoard);
   const [asked, setAsked] = useState<FlightInProgress | null>(null);
-  // What an open question offers stays under the finger when the stream ends; it follows the board while that is known.
-  const flown = asked === null || (now.row !== null && asked.row !== null) ? now : asked;
+  // An open question follows the board while that is known, and keeps what it offers when the stream ends.
+  const flown = asked === null || now.row !== null ? now : asked;
   const [found, setFound] = useState<Found | null>(null);
   const isShown = useRef(true);
   useEffect(() => {
@@ -88,8 +88,10 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const again = { label: t("plans.startAgain"), onPress: () => void rehearse(null) };
   const goOn =
     flown.row === null
-      ? again
+      ? undefined
       : { label: t("plans.goOn", { number: flown.row + 1 }), onPress: () => void rehearse(flown.row) };
+  // The answer under the finger stays the one that it was when it was asked.
+  const [usual, other] = goOn === undefined || asked?.row === null ? [again, goOn] : [goOn, again];
   return (
     <>
       <Button
@@ -119,11 +121,11 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
         <ConfirmDialog
           title={t("plans.sendTitle")}
           text={flown.to === null ? t("plans.sendUnknown") : t("plans.sendText", { number: flown.to + 1 })}
-          confirmLabel={goOn.label}
-          other={goOn === again ? undefined : again}
+          confirmLabel={usual.label}
+          other={other}
           cancelLabel={t("dialog.cancel")}
-          danger={goOn === again}
-          onConfirm={goOn.onPress}
+          danger={usual === again}
+          onConfirm={usual.onPress}
           onCancel={() => setAsked(null)}
         />
       )}

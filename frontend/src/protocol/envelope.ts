@@ -27,6 +27,11 @@ export interface Hello {
   readonly flight: { readonly id: string; readonly starts_s: number; readonly duration_s: number } | null;
 }
 
+/** The flight that is to be played back is being opened; its hello follows. */
+export interface Opening {
+  readonly type: "opening";
+}
+
 export interface PlaybackMessage {
   readonly type: "playback";
   readonly position: Playback;
@@ -67,7 +72,14 @@ export interface AnswerMessage {
   readonly data: unknown;
 }
 
-export type StreamMessage = Hello | Batch | StatusMessage | StreamEvent | PlaybackMessage | AnswerMessage;
+export type StreamMessage =
+  | Hello
+  | Opening
+  | Batch
+  | StatusMessage
+  | StreamEvent
+  | PlaybackMessage
+  | AnswerMessage;
 
 /** What a text off the socket says, or null when any part of it is not as agreed. */
 export function parseMessage(text: string): StreamMessage | null {
@@ -87,6 +99,8 @@ export function parseMessage(text: string): StreamMessage | null {
         return event(value);
       case "hello":
         return hello(value);
+      case "opening":
+        return { type: "opening" };
       case "playback":
         return isPlayback(value) ? { type: "playback", position: value } : null;
       case "answer":

@@ -173,6 +173,16 @@ describe("silence", () => {
     expect(states.map(({ kind }) => kind)).toEqual(["connecting", "open"]);
   });
 
+  test("is none while the other end says that it is still opening, which is no open line yet", () => {
+    for (let second = 0; second < 10; second += 1) {
+      timers.pass(1000);
+      wire().deliver({ type: "opening" });
+    }
+    expect(wires).toHaveLength(1);
+    expect(states).toEqual([{ kind: "connecting" }]);
+    expect(messages).toHaveLength(0);
+  });
+
   test("that lasts gives the line up and dials again", () => {
     wire().deliver(status);
     timers.pass(6000);

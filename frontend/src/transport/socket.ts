@@ -131,6 +131,9 @@ export class StreamSocket {
     }
     this.#hear(now_ms);
     this.#failures = 0;
+    if (message.type === "opening") {
+      return;
+    }
     if (this.#state.kind !== "open") {
       this.#become({ kind: "open" });
     }

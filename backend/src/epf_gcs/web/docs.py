@@ -64,7 +64,8 @@ which the holder does nothing grant it. A page that is closed or cut off loses
 control within a second, one that hangs after two, and gets it back if it returns while nobody else has it.
 
 **Recordings**: `/api/v1/stream?flight=ID&at_s=SECONDS` speaks the same of a recording, with `playback` messages beside;
-send `play`, `pause`, `seek`, `step` or `loop`. `{"type": "ask", "about": "inspector"}` is answered with `{"type":
+send `play`, `pause`, `seek`, `step` or `loop`. While it is being opened, an `opening` comes each
+second before the `hello`. `{"type": "ask", "about": "inspector"}` is answered with `{"type":
 "answer", "about": "inspector", "data": as GET /inspector gives it}` of the moment that is shown; `known` as
 `GET /flights/{id}/known`.
 

@@ -33,12 +33,17 @@ from epf_gcs.contract.playback import (
 from epf_gcs.contract.requests import ReadInspector, ReadKnown, Request
 from epf_gcs.contract.status import Status
 from epf_gcs.errors import ErrorCode, GatewayError
+from epf_gcs.repeating import Repeating
 from epf_gcs.web.replays.replay_process import ViewersReplay
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.messages import INVALID, RATE_SENTENCE, TOPICS
 from epf_gcs.web.stream.socket import SocketConnection
 from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
+
+OPENING_EVERY_S: Final = 1.0
+"""How often a viewer hears that its replay is being opened. A page gives up a line on which it hears nothing for 5 s,
+and its replay would begin anew each time where opening takes longer: on a slow computer, or a busy one."""
 
 # With every sample wanted the replay sends ahead, up to some hundred.
 _LOG_SAMPLES: Final = 4096
@@ -81,11 +86,13 @@ class ReplayConversation:
         self._early: list[Notice] = []
         self._asked: set[asyncio.Task[None]] = set()
         self._is_greeted = False
+        self._opening = Repeating(self._loop, "a replay that opens", self._tell_opening, OPENING_EVERY_S)
 
     def greet(self) -> None:
         """Start the replay; the hello follows when it is there."""
         self._task = self._loop.create_task(self._run(), name=f"replay of {self._replay.flight}")
         self._on_start(self._task)
+        self._opening.arm(OPENING_EVERY_S)
 
     def on_text(self, text: str) -> None:
         """An acknowledgement, a rate, or what to play; anything else is answered with an error event."""
@@ -95,6 +102,7 @@ class ReplayConversation:
 
     def on_closed(self) -> None:
         """The browser disconnected: the replay ends."""
+        self._opening.stop()
         for task in (self._task, *self._asked):
             if task is not None:
                 task.cancel()
@@ -111,6 +119,7 @@ class ReplayConversation:
         if self._is_greeted:
             return
         self._is_greeted = True
+        self._opening.stop()
         said = {
             "type": "hello",
             "version": __version__,
@@ -179,9 +188,14 @@ class ReplayConversation:
     def on_lost(self, *, ended: bool) -> None:
         """The replay has gone; `_run` says why."""
 
+    def _tell_opening(self) -> float:
+        self._connection.send([b'{"type":"opening"}'])
+        return OPENING_EVERY_S
+
     async def _run(self) -> None:
         words = await self._replay.run(self)
         sentence = words.rpartition("\n")[2].removeprefix("epf-replay: ") or "The replay ended unexpectedly."
+        self._opening.stop()
         self._tell_error("recording_unreadable", sentence)
         await asyncio.sleep(0)
         self._connection.end("the replay has ended")

@@ -82,7 +82,7 @@ def reading_problems(*statuses: int) -> Answers:
 
 
 def _described(*statuses: int) -> Answers:
-    # By name: FastAPI would make a serializer for each of 900 models, a tenth of the time that the station takes to start.
+    # By name: FastAPI would make a serializer for each of 900 models, a tenth of what the station's start costs.
     content = {MEDIA_TYPE: {"schema": {"$ref": f"#/components/schemas/{Problem.__name__}"}}}
     return {status: {"description": _DESCRIPTIONS[status], "content": content} for status in statuses}
 
