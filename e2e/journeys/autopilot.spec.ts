@@ -61,7 +61,8 @@ test("looking at every tab sends the board nothing but the simulator's informati
     await expect(page.getByRole("tabpanel", { name, exact: true })).toBeVisible();
   }
   for (const name of ["GPS status", "Uso de la CPU", "Fast GPS", "GPS", "ServosIn", "Fly-by-wire", "FMS"]) {
-    await openTab(page, name);
+    await page.getByRole("tab", { name, exact: true }).click();
+    await expect(page.getByRole("tabpanel", { name, exact: true })).toBeVisible();
   }
   // Frames of the captured station: `#QT,`, type 50, 15 values, checksum, end.
   const frames = flying.line.sentBytes.toString("latin1").split("#QT,").slice(1, -1);
