@@ -43,6 +43,17 @@ function moved(before: Boxes, after: Boxes): string[] {
   });
 }
 
+/** Acknowledge what has ended until there is no alarm: a pulled line, or a busy computer, opens the HIL loop too. */
+async function acknowledgeAll(alarms: Locator): Promise<void> {
+  await expect
+    .poll(async () => {
+      const ended = alarms.getByRole("button", { name: /^Reconocer que terminó/ }).first();
+      if (await ended.isVisible()) await ended.press("Enter");
+      return await alarms.innerText();
+    })
+    .toContain("Ninguna alarma");
+}
+
 for (const size of SIZES) {
   test(`nothing that can be pressed moves when an alarm comes, lasts and ends (${size.width})`, async ({
     page,
@@ -54,7 +65,7 @@ for (const size of SIZES) {
     for (const tab of ["Vista de vuelo", "Planes de vuelo"]) {
       await openTab(page, tab);
       await expect(page.getByRole("tabpanel", { name: tab }).getByRole("button").first()).toBeVisible();
-      await expect(alarms).toContainText("Ninguna alarma");
+      await acknowledgeAll(alarms);
       const before = await boxes(page);
       expect(Object.keys(before).length).toBeGreaterThan(10);
       await flying.line.pull();
@@ -64,8 +75,6 @@ for (const size of SIZES) {
       const ended = alarms.getByRole("listitem").filter({ hasText: "latido perdido" });
       await expect(ended).toBeVisible();
       expect(moved(before, await boxes(page)), `${tab}, when it has ended`).toEqual([]);
-      await alarms.getByRole("button", { name: /^Reconocer que terminó: latido perdido/ }).click();
-      await expect(ended).toHaveCount(0);
     }
   });
 }
