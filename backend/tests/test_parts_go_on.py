@@ -45,6 +45,7 @@ ELSEWHERE = {
     "replay.vehicle_process",
     "replay.viewing",
     "tls.keeper",
+    "web.replays.replay_conversation",
     "web.serving.doorway",
 }
 

@@ -32,20 +32,27 @@ class EndlessOpening:
 
 
 class KeptMessages:
-    """A browser's connection: what was sent on it."""
+    """A browser's connection: what was sent on it. The first message meets a fault."""
 
     def __init__(self) -> None:
         self.queue: asyncio.Queue[bytes] = asyncio.Queue()
+        self._faults = [ZeroDivisionError]
 
     def send(self, messages: list[bytes]) -> None:
+        if self._faults:
+            raise self._faults.pop()
         for message in messages:
             self.queue.put_nowait(message)
 
 
-def test_its_viewer_hears_again_and_again_that_it_is_being_opened(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_its_viewer_hears_again_and_again_that_it_is_being_opened_also_after_a_fault(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(replay_conversation, "OPENING_EVERY_S", 0.001)
 
     async def look() -> None:
+        raised: list[object] = []
+        asyncio.get_running_loop().set_exception_handler(lambda _, context: raised.append(context["exception"]))
         connection = KeptMessages()
         started: list[asyncio.Task[None]] = []
         replay = ViewersReplay("20260101T120000Z", lambda: cast(ReplayProcess, EndlessOpening()), 0.0)
@@ -63,5 +70,6 @@ def test_its_viewer_hears_again_and_again_that_it_is_being_opened(monkeypatch: p
         conversation.on_closed()
         await asyncio.wait(started)
         assert started[0].cancelled()
+        assert [type(error) for error in raised] == [ZeroDivisionError]
 
     asyncio.run(look())
