@@ -14,7 +14,6 @@ from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port
 from tests.support.firmware import FIRMWARE
 from tests.support.waiting import DEADLINE_S
 
-ASK_AGAIN_S: Final = 1.0
 Machine = tuple[str, tuple[str, ...]]
 """Folder of an image, and QEMU's words for the machine."""
 STM32F405: Final[Machine] = ("stm32f405", ("netduinoplus2",))
@@ -31,16 +30,7 @@ class Emulator:
     def station(self) -> Station:
         """A station on its line, once the board answers: what is sent to one that is still starting is lost."""
         station = self._connected()
-        asked_s = -ASK_AGAIN_S
-
-        def answers() -> bool:
-            nonlocal asked_s
-            if time.monotonic() - asked_s > ASK_AGAIN_S:
-                asked_s = time.monotonic()
-                station.send(b"version\n")
-            return f"{VERSION}\n" in station.text
-
-        station.wait(answers)
+        station.ask_until(lambda: station.send(b"version\n"), lambda: f"{VERSION}\n" in station.text)
         station.settle()
         return station
 

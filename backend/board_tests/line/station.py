@@ -80,6 +80,9 @@ class Board:
         return self._ending
 
 
+ASK_AGAIN_S: Final = 1.0
+
+
 class Station:
     """The other end of the line: everything that came in, in order, as frames and as text."""
 
@@ -173,38 +176,37 @@ class Station:
             self.pump(0.02)
         return value
 
+    def ask_until(self, ask: Callable[[], None], condition: Callable[[], bool]) -> None:
+        """Ask now, and again now and then, until `condition`; fails when it does not come by the deadline."""
+        asked_s = -ASK_AGAIN_S
+
+        def is_answered() -> bool:
+            nonlocal asked_s
+            if time.monotonic() - asked_s > ASK_AGAIN_S:
+                asked_s = time.monotonic()
+                ask()
+            return condition()
+
+        self.wait(is_answered)
+
     # ---- binary mode
 
     def open_binary(self) -> None:
         """Open binary mode and wait until it is open; asked again now and then, as a board may still be starting."""
         self.frames.clear()
-        asked_s = 0.0
-
-        def is_open() -> bool:
-            nonlocal asked_s
-            if time.monotonic() - asked_s > 1.0:
-                asked_s = time.monotonic()
-                self.send(OPEN_BINARY_MODE)
-            return self.count("heartbeat") > 0
-
-        self.wait(is_open)
+        self.ask_until(lambda: self.send(OPEN_BINARY_MODE), lambda: self.count("heartbeat") > 0)
 
     def leave_binary(self) -> None:
         """Leave binary mode and wait until the shell answers; asked again now and then, as a busy computer may cut a
         command with a pause, which the board has to take for its end.
         """
         self.forget_text()
-        asked_s = 0.0
 
-        def is_left() -> bool:
-            nonlocal asked_s
-            if time.monotonic() - asked_s > 1.0:
-                asked_s = time.monotonic()
-                self.command("exit_binary_mode")
-                self.send(b"version\n")
-            return self._pending_text().endswith(f"\r{VERSION}\n")
+        def ask() -> None:
+            self.command("exit_binary_mode")
+            self.send(b"version\n")
 
-        self.wait(is_left)
+        self.ask_until(ask, lambda: self._pending_text().endswith(f"\r{VERSION}\n"))
         self.settle()
 
     def settle(self) -> None:

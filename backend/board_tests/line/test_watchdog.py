@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -32,17 +31,8 @@ def test_an_image_whose_task_hangs_starts_anew_and_says_why(
 ) -> None:
     image = Image(STM32F405, tmp_path / "card", "--hang", "controlTask")
     station = stations(image.station())
-    asked_s = 0.0
-
-    def tells() -> bool:
-        nonlocal asked_s
-        if time.monotonic() - asked_s > 0.5:
-            asked_s = time.monotonic()
-            station.send(b"status\n")
-        return "watchdog: controlTask" in station.text
-
     try:
         assert "watchdog" not in station.text
-        station.wait(tells)
+        station.ask_until(lambda: station.send(b"status\n"), lambda: "watchdog: controlTask" in station.text)
     finally:
         assert image.stop() == ""

@@ -31,8 +31,8 @@ class EndlessOpening:
         return await asyncio.Future[str]()
 
 
-class KeptMessages:
-    """A browser's connection: what was sent on it. The first message meets a fault."""
+class FaultyConnection:
+    """A browser's connection, whose first message meets a fault; `queue` has what was sent after it."""
 
     def __init__(self) -> None:
         self.queue: asyncio.Queue[bytes] = asyncio.Queue()
@@ -53,7 +53,7 @@ def test_its_viewer_hears_again_and_again_that_it_is_being_opened_also_after_a_f
     async def look() -> None:
         raised: list[object] = []
         asyncio.get_running_loop().set_exception_handler(lambda _, context: raised.append(context["exception"]))
-        connection = KeptMessages()
+        connection = FaultyConnection()
         started: list[asyncio.Task[None]] = []
         replay = ViewersReplay("20260101T120000Z", lambda: cast(ReplayProcess, EndlessOpening()), 0.0)
         conversation = ReplayConversation(
