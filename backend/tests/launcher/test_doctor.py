@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import ast
+import json
 import os
+import re
 import shutil
 import socket
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 
 import pytest
+from typer.testing import CliRunner
 
 from epf_gcs.data_folder.lock import DataFolder
 from epf_gcs.data_folder.version import FORMAT, write_format
 from epf_gcs.launcher import doctor, doctor_serial
 from epf_gcs.launcher.doctor import findings, report
 from epf_gcs.launcher.findings import Finding
+from epf_gcs.launcher.gateway import app
+from epf_gcs.launcher.spanish import SPANISH
 
 
 def all_of(data: Path, port: int = 8000) -> list[Finding]:
@@ -163,3 +170,33 @@ def test_programs_that_take_serial_ports(program: str, monkeypatch: pytest.Monke
 def test_the_report_counts_what_is_to_be_mended() -> None:
     said = report([Finding("ok", "good"), Finding("fault", "bad", "do this")])
     assert said.splitlines() == ["ok     good", "FAULT  bad", "       -> do this", "1 to mend."]
+
+
+def test_every_sentence_is_there_in_spanish_too_with_the_same_values() -> None:
+    said = set(_sentences(doctor)) | set(_sentences(doctor_serial))
+    assert len(said) > 40
+    assert sorted(said - SPANISH.keys()) == []
+    names = re.compile(r"{\w+}")
+    different = [text for text in said if sorted(names.findall(text)) != sorted(names.findall(SPANISH[text]))]
+    assert different == []
+
+
+def test_the_command_speaks_spanish(tmp_path: Path) -> None:
+    result = CliRunner().invoke(app, ["doctor", "--data-dir", str(tmp_path), "--language", "es"])
+    assert f"Carpeta de datos {tmp_path}" in result.output
+
+
+def test_the_command_answers_programs_in_json(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("be_nice", "read_last"):
+        monkeypatch.setattr(f"epf_gcs.launcher.upkeep.{name}", lambda: None)
+    result = CliRunner().invoke(app, ["doctor", "--data-dir", str(tmp_path), "--json"])
+    assert {"state": "ok", "what": f"Data folder {tmp_path}", "mend": ""} in json.loads(result.output)
+
+
+def _sentences(module: ModuleType) -> Iterator[str]:
+    """Every text that the module gives to `found`."""
+    for call in ast.walk(ast.parse(Path(str(module.__file__)).read_text())):
+        if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "found":
+            for argument in call.args[1:]:
+                texts = (node.value for node in ast.walk(argument) if isinstance(node, ast.Constant))
+                yield from (text for text in texts if isinstance(text, str) and text)

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
@@ -23,7 +24,7 @@ from epf_gcs.data_folder.version import FORMAT, newer, read_format
 from epf_gcs.errors import GatewayError
 from epf_gcs.extras import ALL
 from epf_gcs.launcher.doctor_serial import serial_ports, takers_of_ports
-from epf_gcs.launcher.findings import Finding
+from epf_gcs.launcher.findings import Finding, Language, found
 from epf_gcs.launcher.ports import listener_of
 from epf_gcs.listening import listen
 from epf_gcs.product import BOARD, PAGE
@@ -36,6 +37,7 @@ _FIRST_YEAR: Final = 2026
 _SIMULATOR_PORT: Final = 49003
 _PROGRAM_S: Final = 10.0
 _SHOWN: Final = 3
+_NOTHING_WRONG: Final = "Nothing keeps the station from working."
 
 
 def findings(data: Path, port: int) -> Iterator[Finding]:
@@ -56,34 +58,43 @@ def findings(data: Path, port: int) -> Iterator[Finding]:
         try:
             yield from check()
         except (OSError, GatewayError, subprocess.SubprocessError) as error:
-            yield Finding("fault", f"A check failed: {error}.", "Tell this to whoever looks after the computer.")
+            yield found(
+                "fault", "A check failed: {error}.", "Tell this to whoever looks after the computer.", error=error
+            )
 
 
-def report(found: list[Finding]) -> str:
+def report(findings: list[Finding], language: Language = "en") -> str:
     """The findings as text, one a line, what to do below each."""
     marks = {"ok": "ok   ", "note": "note ", "fault": "FAULT"}
     lines = []
-    for one in found:
+    for one in findings:
         lines.append(f"{marks[one.state]}  {one.what}")
         if one.mend:
             lines.append(f"       -> {one.mend}")
-    faults = sum(one.state == "fault" for one in found)
-    lines.append("Nothing keeps the station from working." if not faults else f"{faults} to mend.")
+    faults = sum(one.state == "fault" for one in findings)
+    end = found("fault", "{count} to mend.", count=faults) if faults else found("ok", _NOTHING_WRONG)
+    lines.append(replace(end, language=language).what)
     return "\n".join(lines)
 
 
 def _versions() -> Iterator[Finding]:
     system = f"{platform.system()} {platform.machine()}"
-    yield Finding(
-        "ok", f"epf-gcs {__version__}, Python {platform.python_version()}, {system}; packages in {sys.prefix}"
+    yield found(
+        "ok",
+        "epf-gcs {version}, Python {python}, {system}; packages in {folder}",
+        version=__version__,
+        python=platform.python_version(),
+        system=system,
+        folder=sys.prefix,
     )
     wrong = list(_wrong_packages())
     if wrong:
-        yield Finding(
+        more = [f"+ {len(wrong) - _SHOWN}"] if len(wrong) > _SHOWN else []
+        yield found(
             "fault",
-            f"Python's packages are not those that epf-gcs was tried with: {'; '.join(wrong[:_SHOWN])}"
-            + (f"; and {len(wrong) - _SHOWN} more." if len(wrong) > _SHOWN else "."),
+            "Python's packages are not those that epf-gcs was tried with: {packages}.",
             "Install epf-gcs again in an environment of its own: pipx install --force FILE.whl",
+            packages="; ".join([*wrong[:_SHOWN], *more]),
         )
 
 
@@ -107,32 +118,48 @@ def _wrong_packages() -> Iterator[str]:
 
 def _data_folder(data: Path) -> Iterator[Finding]:
     place = next(folder for folder in (data, *data.parents) if folder.exists())
-    choose = "or choose another folder with --data-dir"
     if _is_read_only(place):
-        yield Finding(
+        yield found(
             "fault",
-            f"The disk of the data folder {data} is mounted read-only.",
-            f"sudo mount -o remount,rw $(df --output=target {place} | tail -1)   ({choose})",
+            "The disk of the data folder {data} is mounted read-only.",
+            "sudo mount -o remount,rw $(df --output=target {place} | tail -1)   "
+            "(or choose another folder with --data-dir)",
+            data=data,
+            place=place,
         )
         return
     not_ours = next((path for path in (place, *_files_of(data)) if not os.access(path, os.W_OK)), None)
     if not_ours is not None:
-        whose = place if not_ours == place else data
-        yield Finding(
+        yield found(
             "fault",
-            f"{not_ours} in the data folder {data} may not be written by this user."
-            if not_ours != place
-            else f"The data folder {data} may not be written by this user.",
-            f'sudo chown -R "$USER" {whose}   ({choose})',
+            "The data folder {data} may not be written by this user."
+            if not_ours == place
+            else "{path} in the data folder {data} may not be written by this user.",
+            'sudo chown -R "$USER" {whose}   (or choose another folder with --data-dir)',
+            path=not_ours,
+            data=data,
+            whose=place if not_ours == place else data,
         )
         return
-    found = read_format(data) if data.exists() else None
-    if found is not None and found.number > FORMAT:
-        yield Finding("fault", newer(data, found), f"Install epf-gcs {found.written_by or 'of the newest version'}")
-    elif found is not None and found.number < FORMAT:
-        yield Finding("note", f"{data} is of format {found.number}: the next start brings it to {FORMAT}.")
+    has = read_format(data) if data.exists() else None
+    if has is not None and has.number > FORMAT:
+        yield found(
+            "fault",
+            "{sentence}",
+            "Install epf-gcs {version}" if has.written_by else "Install the newest epf-gcs",
+            sentence=newer(data, has),
+            version=has.written_by,
+        )
+    elif has is not None and has.number < FORMAT:
+        yield found(
+            "note",
+            "{data} is of format {number}: the next start brings it to {to}.",
+            data=data,
+            number=has.number,
+            to=FORMAT,
+        )
     else:
-        yield Finding("ok", f"Data folder {data}")
+        yield found("ok", "Data folder {data}", data=data)
 
 
 def _files_of(data: Path) -> Iterator[Path]:
@@ -150,100 +177,113 @@ def _room(data: Path) -> Iterator[Finding]:
     place = next(folder for folder in (data, *data.parents) if folder.exists())
     free = shutil.disk_usage(place).free
     if free < _LEAST_FREE_BYTES:
-        yield Finding(
+        yield found(
             "fault",
-            f"The disk of {data} has {free / 1e9:.1f} GB free: recordings stop when it is full.",
+            "The disk of {data} has {free} GB free: recordings stop when it is full.",
             "Delete old flights in the tab Vuelos, or choose another disk with --data-dir.",
+            data=data,
+            free=f"{free / 1e9:.1f}",
         )
     else:
-        yield Finding("ok", f"{free / 1e9:.0f} GB free on its disk")
+        yield found("ok", "{free} GB free on its disk", free=f"{free / 1e9:.0f}")
 
 
 def _ports(data: Path, port: int) -> Iterator[Finding]:
     if is_in_use(data):
-        yield Finding("ok", "A station runs with this data folder: its ports are its own")
+        yield found("ok", "A station runs with this data folder: its ports are its own")
         return
     try:
         listen("127.0.0.1", port).close()
     except GatewayError as error:
         who = listener_of(port)
         other = 8001 if port != 8001 else 8002
-        yield Finding(
+        yield found(
             "fault",
-            f"TCP port {port} is taken by {who}." if who else error.detail,
-            f"End that program, or: epf-gcs --port {other}" if who else f"epf-gcs --port {other}",
+            "TCP port {port} is taken by {who}." if who else "{sentence}",
+            "End that program, or: epf-gcs --port {other}" if who else "epf-gcs --port {other}",
+            port=port,
+            who=who,
+            sentence=error.detail,
+            other=other,
         )
     else:
-        yield Finding("ok", f"TCP port {port} for the page is free")
+        yield found("ok", "TCP port {port} for the page is free", port=port)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.bind(("", _SIMULATOR_PORT))
         except OSError:
-            yield Finding(
+            yield found(
                 "fault",
-                f"UDP port {_SIMULATOR_PORT}, where X-Plane sends to, is taken by another program.",
-                f"sudo ss -ulpn 'sport = :{_SIMULATOR_PORT}'   (shows which; end it, or choose another port in Setup)",
+                "UDP port {port}, where X-Plane sends to, is taken by another program.",
+                "sudo ss -ulpn 'sport = :{port}'   (shows which; end it, or choose another port in Setup)",
+                port=_SIMULATOR_PORT,
             )
         else:
-            yield Finding("ok", f"UDP port {_SIMULATOR_PORT} for X-Plane is free")
+            yield found("ok", "UDP port {port} for X-Plane is free", port=_SIMULATOR_PORT)
 
 
 def _clock() -> Iterator[Finding]:
     now = time.gmtime()
     said = time.strftime("%Y-%m-%d %H:%M:%S UTC", now)
     if now.tm_year < _FIRST_YEAR:
-        yield Finding(
+        yield found(
             "fault",
-            f"The clock says {said}: recordings would be filed under that day.",
+            "The clock says {time}: recordings would be filed under that day.",
             'sudo date -u -s "2026-01-31 12:00"   (with the right time)',
+            time=said,
         )
     elif is_synchronised() is False:
-        yield Finding(
+        yield found(
             "note",
-            f"The clock says {said}, and no time server vouches for it: recordings say so.",
+            "The clock says {time}, and no time server vouches for it: recordings say so.",
             "sudo timedatectl set-ntp true   (with a network; else compare it with your watch)",
+            time=said,
         )
     else:
-        yield Finding("ok", f"The clock says {said}")
+        yield found("ok", "The clock says {time}", time=said)
 
 
 def _product() -> Iterator[Finding]:
     try:
         PAGE.file("index.html")
     except FileNotFoundError as error:
-        yield Finding("fault", str(error))
+        yield found("fault", "{sentence}", sentence=error)
     else:
-        yield Finding("ok", f"The page is in {PAGE.folder}")
+        yield found("ok", "The page is in {folder}", folder=PAGE.folder)
     try:
         program = BOARD.file("posix/epf-board")
         subprocess.run([program, "--help"], capture_output=True, check=True, timeout=_PROGRAM_S)
     except FileNotFoundError as error:
-        yield Finding("note", str(error), "Only the demonstration needs it.")
+        yield found("note", "{sentence}", "Only the demonstration needs it.", sentence=error)
     except (OSError, subprocess.SubprocessError) as error:
-        yield Finding("fault", f"The demonstration's board does not run here: {error}.", "Connect a real board.")
+        yield found(
+            "fault", "The demonstration's board does not run here: {error}.", "Connect a real board.", error=error
+        )
     else:
-        yield Finding("ok", "The demonstration's board runs")
+        yield found("ok", "The demonstration's board runs")
 
 
 def _extras() -> Iterator[Finding]:
     for extra in ALL:
+        has = {"what": extra.what, "modules": ", ".join(extra.modules), "command": extra.command()}
         if not extra.is_here:
-            yield Finding("note", f"{extra.what}: {' and '.join(extra.modules)} not installed.", extra.command())
+            yield found("note", "{what}: {modules} not installed.", "{command}", **has)
             continue
         try:
             for module in extra.modules:
                 import_module(module)
         except ImportError as error:
             # What a package needs of the system is found only when it is loaded.
-            yield Finding("fault", f"{extra.what} fails: {error}.", _mend_library(str(error), extra.command()))
+            needs_expat = "libexpat" in str(error)
+            again = " --force-reinstall" if " -m pip " in has["command"] else ""
+            yield found(
+                "fault",
+                "{what} fails: {error}.",
+                "sudo apt install libexpat1   (on Debian and Ubuntu)" if needs_expat else "{command}",
+                **{**has, "command": has["command"] + again, "error": str(error)},
+            )
         else:
-            yield Finding("ok", f"{extra.what}: {' and '.join(extra.modules)}")
-
-
-def _mend_library(said: str, again: str) -> str:
-    if "libexpat" in said:
-        return "sudo apt install libexpat1   (on Debian and Ubuntu)"
-    return f"{again} --force-reinstall" if " -m pip " in again else again
+            yield found("ok", "{what}: {modules}", **has)
 
 
 def _priority() -> Iterator[Finding]:
@@ -257,9 +297,9 @@ def _priority() -> Iterator[Finding]:
         timeout=_PROGRAM_S,
     )
     if tried.returncode == 0:
-        yield Finding("ok", "The flight process may go before all other programs")
+        yield found("ok", "The flight process may go before all other programs")
     else:
-        yield Finding(
+        yield found(
             "note",
             "The flight process has no right to go before other programs; on a busy computer the loop may be late.",
             'echo "@dialout - rtprio 10" | sudo tee /etc/security/limits.d/epf-gcs.conf   (then log in again)',

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.launcher.findings import Finding
+from epf_gcs.launcher.findings import Finding, found
 
 # The rule of packaging/linux keeps ModemManager away from them.
 _RULES: Final = ("/etc/udev/rules.d", "/usr/lib/udev/rules.d", "/lib/udev/rules.d")
@@ -20,12 +20,12 @@ def serial_ports() -> Iterator[Finding]:
     """Each port that is there, and the group that is missing."""
     from serial.tools.list_ports import comports  # noqa: PLC0415 - slow on some systems
 
-    found = sorted(port.device for port in comports() if port.hwid != "n/a")
-    if not found:
-        yield Finding("note", "No serial port is here.", "Plug the board in; a PTY or TCP address needs none.")
-    for path in found:
+    paths = sorted(port.device for port in comports() if port.hwid != "n/a")
+    if not paths:
+        yield found("note", "No serial port is here.", "Plug the board in; a PTY or TCP address needs none.")
+    for path in paths:
         if sys.platform == "win32" or os.access(path, os.R_OK | os.W_OK):
-            yield Finding("ok", f"Serial port {path} can be opened")
+            yield found("ok", "Serial port {path} can be opened", path=path)
         else:
             yield _may_not(path)
 
@@ -35,13 +35,13 @@ def takers_of_ports() -> Iterator[Finding]:
     running = set(_process_names())
     has_rule = any(Path(folder, _RULE).exists() for folder in _RULES)
     if "ModemManager" in running and not has_rule:
-        yield Finding(
+        yield found(
             "note",
             "ModemManager runs: it writes to each new serial port for some seconds, and the board hears it.",
             "sudo systemctl disable --now ModemManager   (or, with a mobile modem: packaging/linux/70-epf-gcs.rules)",
         )
     if "brltty" in running:
-        yield Finding(
+        yield found(
             "note",
             "brltty runs: it takes some USB adapters for a Braille display, and their port goes away.",
             "sudo systemctl disable --now brltty brltty-udev   (if nobody reads this computer by Braille)",
@@ -50,12 +50,21 @@ def takers_of_ports() -> Iterator[Finding]:
 
 def _may_not(path: str) -> Finding:
     group = _group_of(path)
-    what = f"Serial port {path} may not be opened by this user"
     if group in _groups_on_paper():
-        return Finding(
-            "fault", f"{what}, who is in its group {group} only after the next login.", "Log out and in again."
+        return found(
+            "fault",
+            "Serial port {path} may not be opened by this user, who is in its group {group} only after the next login.",
+            "Log out and in again.",
+            path=path,
+            group=group,
         )
-    return Finding("fault", f"{what}.", f'sudo usermod -a -G {group} "$USER"   (then log out and in again)')
+    return found(
+        "fault",
+        "Serial port {path} may not be opened by this user.",
+        'sudo usermod -a -G {group} "$USER"   (then log out and in again)',
+        path=path,
+        group=group,
+    )
 
 
 def _group_of(path: str) -> str:
