@@ -33,7 +33,7 @@ def rewinding(ready: Ready, port: int, _udp_port: int, until_s: float) -> None:
 
 def _rewind(port: int, until_s: float, ready: Ready) -> None:
     viewer = WebSocket(port, "/api/v1/stream?flight=current")
-    hello = json.loads(viewer.receive())
+    hello = viewer.receive_hello()
     rng, next_s = random.Random(1), 0.0
     viewer.send('{"type":"play","rate":1.0}')
     while time.monotonic() < until_s:

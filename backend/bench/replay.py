@@ -80,7 +80,7 @@ class Viewer:
 
     def __init__(self, port: int, query: str) -> None:
         self.socket = WebSocket(port, f"/api/v1/stream?flight={FLIGHT_ID}&{query}")
-        self.hello = json.loads(self.socket.receive())
+        self.hello = self.socket.receive_hello()
         self.batches = 0
 
     def next(self) -> dict[str, Any] | None:

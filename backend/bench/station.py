@@ -130,6 +130,12 @@ class WebSocket:
                 raise ConnectionError("the server closed the stream")
             self._buffer += data
 
+    def receive_hello(self) -> Any:
+        """The hello of the stream, parsed. A replay that takes long says so before."""
+        while (message := json.loads(self.receive()))["type"] == "opening":
+            pass
+        return message
+
     def send(self, text: str) -> None:
         """Send a short text; with a mask of zeros, which is allowed and changes nothing."""
         data = text.encode()

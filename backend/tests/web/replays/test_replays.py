@@ -26,7 +26,7 @@ from tests.support.contract import read_as
 from tests.support.gateway import Gateway, Stream, running_gateway
 from tests.support.outlet import KeptOutlet
 from tests.support.programs import children_of, gateway_process
-from tests.support.waiting import DEADLINE_S, eventually, first_of
+from tests.support.waiting import eventually, first_of
 
 ID = "20260101T120000Z"
 MOST = SHARES.replays.parts[Standing.own].each
@@ -216,7 +216,7 @@ def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
     with gateway_process(tmp_path) as gateway:
         url = gateway.wait_for_words(r"url=(http://\S+)").replace("http", "ws")
         with connect(f"{url}/api/v1/stream?flight={ID}") as connection:
-            assert orjson.loads(connection.recv(DEADLINE_S))["type"] == "hello"
+            assert Stream(connection).hello["type"] == "hello"
             (web,) = [pid for pid in children_of(gateway.process.pid) if b"epf_gcs.web" in _words(pid)]
             (replay,) = [pid for pid in children_of(web) if b"epf_gcs.replay" in _words(pid)]
             os.kill(web, signal.SIGKILL)
