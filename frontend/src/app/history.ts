@@ -6,7 +6,13 @@ import { FLIGHT_LOG } from "../features/log/flightLog";
 import { createFlightAddress } from "../features/playback/flightAddress";
 import { createPlayback, PLAYBACK, type Playback } from "../features/playback/playbackRequests";
 import { createPlots, PLOTS } from "../features/plots/plots";
-import { addressedReport, createReports, keepReport, REPORTS } from "../features/report/reportRequests";
+import {
+  addressedReport,
+  createReports,
+  keepReport,
+  REPORTS,
+  type Reports,
+} from "../features/report/reportRequests";
 import { choose } from "../store/settings";
 import type { Cockpit } from "./cockpit";
 import type { Core, Group } from "./core";
@@ -66,17 +72,22 @@ export function createHistory(core: Core, cockpit: Cockpit, open: OpenFlight): H
       book.takeEvent(event);
     },
     start: () => {
-      const report = addressedReport(world.address.read());
-      if (report !== null) {
-        choose(settings, "tab", "flights");
-        reports.open(report.flight, report.compare);
-      }
+      openReport(core, reports);
       const opened = address.opened();
       if (opened !== null) {
         playback.openFlight(opened.flight, opened.at_s);
       }
     },
   };
+}
+
+/** The report that the page's address names, if it names one. */
+function openReport({ world, settings }: Core, reports: Reports): void {
+  const report = addressedReport(world.address.read());
+  if (report !== null) {
+    choose(settings, "tab", "flights");
+    reports.open(report.flight, report.compare);
+  }
 }
 
 type OpenFlight = Parameters<typeof createPlayback>[0]["open"];
