@@ -86,14 +86,14 @@ def truth(kind: str, at_s: float, size: float, loop: Dynamics, rate: float | Non
 
 
 def make(seed: int, *, steps: int = 4, noise: float = 1.0, hard: bool = False) -> Made:
-    """One flight of five minutes or so; every loop has its own dynamics and `steps` steps of its target.
+    """Three minutes or so for each of `steps` steps of every loop's target; every loop has its own dynamics.
 
     `hard`: gusts as large as they come beside the sensors' noise, a dead time of up to a second in each loop, and in
     half of the steps a limit of rate that bites.
     """
     rng = np.random.default_rng(seed)
     spacing_s = 60.0
-    end_s = 40.0 + spacing_s * steps
+    end_s = 40.0 + 3 * spacing_s * steps
     t_s = np.cumsum(rng.normal(1.0, 0.05, int(end_s * SIMULATOR_HZ))) / SIMULATOR_HZ
     plan_s = np.arange(0.05, t_s[-1], 1 / PLAN_HZ)
     made = Made(MadeFlight({}))
@@ -107,10 +107,11 @@ def make(seed: int, *, steps: int = 4, noise: float = 1.0, hard: bool = False) -
             loop.delay_s = rng.uniform(0.0, 1.0)
     quiet = {"altitude": 0.8, "heading": 0.4, "speed": 0.06}
     targets, actual = {}, {}
-    for name, (loop, level, least) in loops.items():
+    for place, (name, (loop, level, least)) in enumerate(loops.items()):
         wanted, flown, reached = np.full(len(plan_s), level), np.full(len(t_s), level), level
         for number in range(steps):
-            at_s = float(plan_s[int((20.0 + spacing_s * number + rng.uniform(-4, 4)) * PLAN_HZ)])
+            # One loop after the other: an answer ends where another loop is asked for something.
+            at_s = float(plan_s[int((20.0 + spacing_s * (3 * number + place) + rng.uniform(-4, 4)) * PLAN_HZ)])
             size = rng.uniform(1.0, 3.0) * least * rng.choice([-1.0, 1.0])
             # The earlier step's answer has ended: this one begins where it came to rest.
             final = reached + size * (1.0 - loop.bias)

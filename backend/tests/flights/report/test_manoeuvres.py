@@ -7,10 +7,11 @@ from collections import Counter
 import numpy as np
 import pytest
 
+from epf_gcs.flights.report.manoeuvres import Step, alone
 from tests.flights.report.made import WITHIN, Flown, f1_of, fly, found_in, make, matches, near, worst_errors
 from tests.flights.test_events import MadeFlight
 
-# Of the fifty that `make bench` flies: each takes a third of a second.
+# Each takes a third of a second.
 FLIGHTS = 20
 
 
@@ -104,6 +105,19 @@ def test_a_gap_in_the_samples_ends_a_manoeuvre() -> None:
     (one,) = (one for one in found_in(made.flight)[0] if one.kind == slowed.kind)
     assert one.until_s == near(slowed.at_s + 1.0, abs=0.1)
     assert one.settling_s is None
+
+
+def test_an_answer_ends_where_another_loop_is_stepped() -> None:
+    found = sorted(found_in(make(6, steps=1, noise=0.0).flight)[0], key=lambda one: one.at_s)
+    first, second, last = (one for one in found if one.kind != "leg")
+    assert (first.until_s, second.until_s) == (near(second.at_s), near(last.at_s))
+
+
+def test_steps_of_one_moment_are_answered_side_by_side() -> None:
+    climb = Step("climb", "altitude", "waypoint", 10.0, 130.0, 500.0, 800.0)
+    turn = Step("turn_left", "heading", "waypoint", 10.9, 130.0, 40.0, 0.0)
+    later = Step("faster", "speed", "target", 35.0, 60.0, 50.0, 55.0)
+    assert alone([later, climb, turn]) == [climb._replace(until_s=35.0), turn._replace(until_s=35.0), later]
 
 
 def test_a_heading_through_north_is_the_short_way_round() -> None:

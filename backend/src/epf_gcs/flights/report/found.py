@@ -14,6 +14,7 @@ from epf_gcs.flights.report.manoeuvres import (
     Loop,
     Series,
     Step,
+    alone,
     answer_of,
     changed,
     find_legs,
@@ -46,10 +47,11 @@ def manoeuvres(flight: FlightData, plans: list[PlanSignals]) -> tuple[list[Repor
             continue
         reason = "no_changes"
         changes = signals.waypoint.t_s[1:][changed(signals.waypoint)]
+        steps: list[Step] = []
         for loop in LOOPS:
             target, actual = signals.targets[loop], signals.actual[loop]
-            steps = find_steps(loop, target, actual, signals.flown, changes, signals.actual["speed"])
-            found += [_answered(step, signals) for step in steps]
+            steps += find_steps(loop, target, actual, signals.flown, changes, signals.actual["speed"])
+        found += [_answered(step, signals) for step in alone(steps)]
         place = places(flight, signals.plan)
         found += [_leg(leg, signals, place) for leg in find_legs(signals.waypoint, signals.flown)]
     found.sort(key=lambda one: (one.at_s, one.kind))

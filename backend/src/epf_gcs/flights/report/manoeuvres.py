@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
@@ -63,7 +64,7 @@ class Stretch(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A target that changed at `at_s` and stayed until `until_s`. `start` is the signal at that moment.
+    """A target that changed at `at_s` and was alone to change until `until_s`. `start` is the signal at that moment.
 
     For the heading loop `start` is minus the error at the step, and the target 0: the bearing moves on as it flies.
     """
@@ -103,6 +104,18 @@ def find_steps(
             if step is not None:
                 found.append(step)
     return found
+
+
+def alone(steps: list[Step]) -> list[Step]:
+    """The steps of all loops in order, each until the next one: what another loop is asked for moves this one's signal
+    too. Steps of one moment, as beside a waypoint, are answered side by side."""
+    steps = sorted(steps, key=lambda one: one.at_s)
+    begun_s = [step.at_s for step in steps]
+    following = (bisect_right(begun_s, step.at_s + _ONE_STEP_S) for step in steps)
+    return [
+        step._replace(until_s=min(step.until_s, *begun_s[place : place + 1], np.inf))
+        for step, place in zip(steps, following, strict=True)
+    ]
 
 
 def answer_of(step: Step, target: Series, actual: Series) -> Series:
