@@ -14,8 +14,9 @@ from epf_gcs.contract.flights import Fault
 from epf_gcs.library.about import About, KeptMark, read_about
 from epf_gcs.library.folder import KEPT_S, FlightFolder
 from epf_gcs.library.library import FlightQuery, Library, Row
+from epf_gcs.recordings.flight_summary import VERSION as SUMMARY_VERSION
 from epf_gcs.recordings.flight_summary import FlightSummary, write_summary
-from epf_gcs.recordings.places import Places, stamp_of
+from epf_gcs.recordings.places import SUMMARY, Places, stamp_of
 from tests.support.files import the_one_like
 
 FIRST, SECOND, THIRD = "20260101T100000Z", "20260102T100000Z", "20260102T100000Z-2"
@@ -162,6 +163,26 @@ def test_a_library_that_was_lost_is_made_again_with_all_that_people_said(places:
     assert row.summary is not None
     assert row.summary.highest_ft == 800.0
     assert places.library.with_name("library.sqlite.damaged").exists() == loss.startswith("damaged")
+    library.close()
+
+
+def test_summaries_of_an_earlier_station_are_made_again_and_the_list_opens_meanwhile(places: Places) -> None:
+    record(places, FIRST)
+    folder = index(places, FIRST, highest_ft=800.0)
+    library = Library(places)
+    library.refresh(None)
+    library.say(FIRST, About(title="Primero"))
+    library.close()
+    earlier = (folder / SUMMARY).read_text().replace(f'"version":{SUMMARY_VERSION}', f'"version":{SUMMARY_VERSION - 1}')
+    (folder / SUMMARY).write_text(earlier)
+    change(places, f"UPDATE flight SET summary = '{earlier}'; PRAGMA user_version = 1;")  # noqa: S608 - our own text
+    library = Library(places)
+    library.refresh(None)
+    assert [(row.id, row.summary, row.about.title) for row in library.waiting()] == [(FIRST, None, "Primero")]
+    assert ids(library) == [FIRST]
+    index(places, FIRST, highest_ft=810.0)
+    library.refresh(None)
+    assert library.waiting() == []
     library.close()
 
 

@@ -22,10 +22,12 @@ from epf_gcs.contract.flights import Fault
 from epf_gcs.disk import regular_files
 from epf_gcs.errors import GatewayError
 from epf_gcs.library.about import About, read_about, write_about
+from epf_gcs.recordings.flight_summary import VERSION as SUMMARY_VERSION
 from epf_gcs.recordings.flight_summary import FlightSummary, read_summary
 from epf_gcs.recordings.places import Places, Stamp, is_id, stamp_of, started_s
 
-VERSION: Final = 1
+# The rows hold summaries, so one of another version is a library of another version.
+VERSION: Final = 1000 * SUMMARY_VERSION + 1
 
 _SCHEMA: Final = """
 CREATE TABLE flight (
