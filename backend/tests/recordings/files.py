@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator
 from io import BytesIO
 from typing import Any
 
 from mcap.writer import CompressionType, Writer
 
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
-from epf_gcs.recordings.notes import MARK, written
+from epf_gcs.recordings.notes import MARK, Note, written
+from epf_gcs.recordings.reading import Message, Recording
 from epf_gcs.recordings.topics import TOPICS
 
 START_NS = 1_769_860_800_000_000_000
@@ -63,3 +65,19 @@ def packed(said: list[Said], chunk_size: int = 4096, **options: Any) -> bytes:
         writer.add_message(numbers[channel], t_ns, payload, t_ns, index)
     writer.finish()  # type: ignore[no-untyped-call]
     return output.getvalue()
+
+
+def said_by(recording: Recording) -> list[Said]:
+    """The messages of a file that was read at once."""
+    read = recording.messages
+    return [
+        (channel, t_ns, read.data[start : start + length].tobytes())
+        for channel, t_ns, start, length in zip(
+            read.channel.tolist(), read.t_ns.tolist(), read.start.tolist(), read.length.tolist(), strict=True
+        )
+    ]
+
+
+def heard(items: Iterator[Message | Note]) -> list[Said]:
+    """The messages of a file that was read one by one."""
+    return [(item.channel, item.t_ns, item.data) for item in items if isinstance(item, Message)]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 import struct
-from collections.abc import Iterator
 from contextlib import suppress
 from io import BytesIO
 from itertools import pairwise
@@ -20,23 +19,9 @@ from mcap.writer import CompressionType, IndexType
 from epf_gcs.recordings import reading
 from epf_gcs.recordings.mcap_file import MAGIC, message_record, metadata_record, opening
 from epf_gcs.recordings.notes import MARK, Note
-from epf_gcs.recordings.reading import Limits, Message, Reader, Recording, RecordingError, notes_of, read_file, walk
+from epf_gcs.recordings.reading import Limits, Reader, RecordingError, notes_of, read_file, walk
 from epf_gcs.recordings.topics import TOPICS
-from tests.recordings.files import EVERY_NS, START_NS, Said, mark, messages, packed, plain
-
-
-def said_by(recording: Recording) -> list[Said]:
-    read = recording.messages
-    return [
-        (channel, t_ns, read.data[start : start + length].tobytes())
-        for channel, t_ns, start, length in zip(
-            read.channel.tolist(), read.t_ns.tolist(), read.start.tolist(), read.length.tolist(), strict=True
-        )
-    ]
-
-
-def heard(items: Iterator[Message | Note]) -> list[Said]:
-    return [(item.channel, item.t_ns, item.data) for item in items if isinstance(item, Message)]
+from tests.recordings.files import EVERY_NS, START_NS, Said, heard, mark, messages, packed, plain, said_by
 
 
 @pytest.fixture
@@ -255,13 +240,14 @@ def test_zeros_at_the_end_are_told(path: Path) -> None:
     assert recording.damage == "The file ends in 10000 zero bytes."
 
 
-@pytest.mark.parametrize(
-    "rubbish", [b"\x77" * 40, b"\x05" + b"\xff" * 8, b"\x05" + struct.pack("<Q", 3) + b"abc", bytes(50) + b"x"]
-)
+RUBBISH = [b"\x77" * 40, b"\x05" + b"\xff" * 8, b"\x05" + struct.pack("<Q", 3) + b"abc", bytes(50) + b"x"]
+
+
+@pytest.mark.parametrize("rubbish", RUBBISH)
 def test_damage_is_told_and_what_was_before_it_stands(path: Path, rubbish: bytes) -> None:
     said = messages(50)
-    body, end = plain(said)
-    path.write_bytes(body + rubbish + end)
+    body = plain(said)[0]
+    path.write_bytes(body + rubbish)
     recording = read_file(path)
     assert said_by(recording) == said
     assert recording.damage == f"Byte {len(body)} begins no record, what follows it was not read."

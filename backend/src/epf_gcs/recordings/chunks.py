@@ -8,9 +8,10 @@ from typing import Final, NamedTuple
 
 import numpy as np
 import zstandard
+from mcap.opcode import Opcode
 
 from epf_gcs.recordings.limits import Limits, RecordingError
-from epf_gcs.recordings.scan import Bytes
+from epf_gcs.recordings.scan import Bytes, Other
 
 _FIELDS: Final = Struct("<QQQII")
 _SIZE: Final = Struct("<Q")
@@ -90,3 +91,12 @@ def _content(head: ChunkHead) -> tuple[bytes, str | None]:
     except zstandard.ZstdError:
         return data, "a chunk cannot be unpacked to its end"
     return data, None
+
+
+def chunk_begins(data: Bytes, others: list[Other]) -> list[int]:
+    """The time at which the first of these chunks begins, if there is one."""
+    for other in others:
+        if other.opcode == Opcode.CHUNK:
+            head = read_head(data.data[other.start : other.start + other.length])
+            return [] if head is None else [head.start_ns]
+    return []

@@ -12,6 +12,7 @@ from epf_gcs.recordings.scan import HEAD
 
 # Records of a summary that are stepped over; ours has one for each chunk and note.
 _MOST_RECORDS: Final = 200_000
+_BLOCK_BYTES: Final = 1 << 20
 
 
 class Ending(NamedTuple):
@@ -35,3 +36,14 @@ def ending(file: BinaryIO, place: int) -> Ending:
             is_whole = file.read(len(MAGIC)) == MAGIC
             return Ending(is_whole, is_whole and bool(file.read(1)))
     return Ending(False, False)
+
+
+def zeros_to_end(file: BinaryIO, place: int) -> int | None:
+    """How many zeros follow up to the end, as a power cut leaves them; None if anything else does."""
+    file.seek(place)
+    count = 0
+    while block := file.read(_BLOCK_BYTES):
+        if block.count(0) != len(block):
+            return None
+        count += len(block)
+    return count

@@ -15,10 +15,11 @@ from mcap.opcode import Opcode
 from mcap.records import Metadata
 from numpy.typing import NDArray
 
-from epf_gcs.recordings.chunks import read_head, unpack
-from epf_gcs.recordings.ending import ending
+from epf_gcs.recordings.chunks import chunk_begins, read_head, unpack
+from epf_gcs.recordings.ending import ending, zeros_to_end
 from epf_gcs.recordings.limits import LIMITS, Limits, RecordingError
 from epf_gcs.recordings.mcap_file import MAGIC
+from epf_gcs.recordings.next_record import next_record
 from epf_gcs.recordings.notes import Note, read
 from epf_gcs.recordings.scan import (
     HEAD,
@@ -29,6 +30,7 @@ from epf_gcs.recordings.scan import (
     ScanResult,
     channels_of,
     lengths_of,
+    mended_times,
     scan,
     times_of,
 )
@@ -81,6 +83,7 @@ class Parts:
         self._with_chunks = with_chunks
         self._numbers = np.zeros(1 << 16, dtype=np.uint16)  # our number of each channel of the file, 0 if none of ours
         self._damage: dict[str, int] = {}
+        self._skipped: list[tuple[int, int]] = []  # place and bytes of what is no record
         self._count = self._note_count = self._unpacked = 0
         self._foreign = 0
         self._last_ns = 0
@@ -90,11 +93,16 @@ class Parts:
     @property
     def damage(self) -> str | None:
         """What could not be read so far, in sentences; None if nothing was damaged."""
-        if not self._damage:
+        damage = dict(self._damage)
+        if self._skipped:
+            left_out, first = sum(size for _, size in self._skipped), self._skipped[0][0]
+            sentence = f"{left_out} bytes are no records and were left out, the first at byte {first}"
+            damage[sentence] = len(self._skipped)
+        if not damage:
             return None
         return " ".join(
             f"{sentence[0].upper()}{sentence[1:]}{f' ({count} times)' if count > 1 else ''}."
-            for sentence, count in self._damage.items()
+            for sentence, count in damage.items()
         )
 
     def skip_to(self, place: int) -> None:
@@ -106,6 +114,7 @@ class Parts:
                 if self.topics:
                     break
             self._damage.clear()
+            self._skipped.clear()
             self._count = self._note_count = self._unpacked = self._foreign = 0
             self.is_whole = False
         self.place = place
@@ -144,24 +153,42 @@ class Parts:
         need = 0
         while not self.is_whole:
             file.seek(self.place)
-            data = file.read(max(self.block_bytes, need))
-            found = scan(np.frombuffer(data, dtype=np.uint8), max(self.limits.record_bytes, self.limits.chunk_bytes))
+            # With the head behind a long record, which says whether the length was right.
+            size = max(self.block_bytes, need + HEAD.size)
+            data = file.read(size)
+            block = np.frombuffer(data, dtype=np.uint8)
             begun = self.place
-            if (yield from self._stretch(np.frombuffer(data, dtype=np.uint8), found, begun)):
-                self._check_end(file)
-                break
-            self.place = begun + found.end
-            at_end = len(data) < max(self.block_bytes, need)
+            found = scan(block, max(self.limits.record_bytes, self.limits.chunk_bytes))
+            goes_on = None
             if found.stop == "damage":
-                self._tell(f"byte {self.place} begins no record, what follows it was not read")
+                goes_on = next_record(file, begun + found.last + 1)
+                if goes_on is not None and goes_on < begun + found.end:
+                    found = found.without_last()
+            if (yield from self._stretch(block, found, begun)):
+                self._check_end(file)
                 return
-            if found.stop == "zeros" and found.need == 0:
-                self._check_blank(file)
-                return
+            self.place = begun + found.end
             need = found.need
-            if at_end:
-                yield from self._cut_chunk(data[found.end :], begun + found.end)
-                return
+            if len(data) < size or found.stop == "damage" or (found.stop == "zeros" and not need):
+                if not self._skip(file, found, goes_on):
+                    yield from self._cut_chunk(data[found.end :], begun + found.end)
+                    return
+                need = 0
+
+    def _skip(self, file: BinaryIO, found: ScanResult, goes_on: int | None) -> bool:
+        """Go on at the next record behind what is none; False if there is no more."""
+        is_blank = found.stop == "zeros" and not found.need
+        if is_blank and (zeros := zeros_to_end(file, self.place)) is not None:
+            self._tell(f"the file ends in {zeros} zero bytes")
+            return False
+        if found.stop != "damage":
+            goes_on = next_record(file, self.place + 1)
+        if goes_on is not None:
+            self._skipped.append((self.place, goes_on - self.place))
+            self.place = goes_on
+        elif found.stop == "damage" or is_blank:
+            self._tell(f"byte {self.place} begins no record, what follows it was not read")
+        return goes_on is not None
 
     def _begins(self, file: BinaryIO) -> bool:
         file.seek(0)
@@ -194,7 +221,7 @@ class Parts:
             else:
                 if other.opcode == Opcode.METADATA and (before > first or not self._last_ns):
                     near = found.messages[max(0, before - 1) : before + 1][:1]
-                    times = times_of(data, near).tolist() or _chunk_begins(data, found.others)
+                    times = times_of(data, near).tolist() or chunk_begins(data, found.others)
                     self._last_ns = int(min([*times, _LATEST_NS]))
                 notes += [(before - first, note) for note in self.learn(data, other)]
         yield from self._plain(data, found.messages[first:], notes, begun)
@@ -242,7 +269,9 @@ class Parts:
     def _messages(self, data: Bytes, at: Places) -> tuple[Messages, NDArray[np.bool_] | None]:
         """The messages of ours among those at `at`, and which those are, None for all."""
         channel = self._numbers[channels_of(data, at)]
-        times = times_of(data, at)
+        times, mended = mended_times(data, at)
+        if mended:
+            self._tell("a message has two times, the likelier one was taken", mended)
         possible = times <= _LATEST_NS
         kept = (channel > 0) & possible
         chosen = None
@@ -314,23 +343,3 @@ class Parts:
         self.is_whole = end.is_whole
         if end.has_more:
             self._tell("the file goes on after its end, what follows was not read")
-
-    def _check_blank(self, file: BinaryIO) -> None:
-        """After zeros, as a power cut leaves them, nothing else may follow."""
-        file.seek(self.place)
-        count = 0
-        while block := file.read(_BLOCK_BYTES):
-            if block.count(0) != len(block):
-                self._tell(f"byte {self.place} begins no record, what follows it was not read")
-                return
-            count += len(block)
-        self._tell(f"the file ends in {count} zero bytes")
-
-
-def _chunk_begins(data: Bytes, others: list[Other]) -> list[int]:
-    """The time at which the first of these chunks begins, if there is one."""
-    for other in others:
-        if other.opcode == Opcode.CHUNK:
-            head = read_head(data.data[other.start : other.start + other.length])
-            return [] if head is None else [head.start_ns]
-    return []

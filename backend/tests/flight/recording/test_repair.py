@@ -218,6 +218,19 @@ def test_what_is_no_torn_end_is_left_as_it_is_and_its_reason_is_told(tmp_path: P
     assert why in line["reason"]
 
 
+def test_a_wrong_length_is_no_torn_end_while_records_stand_behind_it(tmp_path: Path) -> None:
+    data, _, first_at = a_recording([b"one", b"two", b"three", b"four", b"five"])
+    note = len(metadata_record("board_link", {"url": "tcp://h:1"}))
+    damaged = bytearray(data)
+    damaged[first_at + note + 2] ^= 0x80  # the second byte of the first message's length
+    path = tmp_path / NAME
+    path.write_bytes(damaged)
+    with pytest.raises(BeyondRepairError, match="something in it that is no record"):
+        repair(path)
+    assert path.read_bytes() == damaged
+    assert len(read_file(path).messages.t_ns) == 4
+
+
 def test_a_file_that_the_disk_does_not_give_is_told_and_the_next_one_is_mended(tmp_path: Path) -> None:
     data, end, _ = a_recording([b"one"])
     folder = tmp_path / "20260103T000000Z.mcap"

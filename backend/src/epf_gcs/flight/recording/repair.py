@@ -17,6 +17,7 @@ from mcap.opcode import Opcode
 from epf_gcs.disk import open_regular, regular_files
 from epf_gcs.flight.memory.flight_log import say
 from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
+from epf_gcs.recordings.next_record import next_record
 from epf_gcs.system.priority import go_last
 
 _OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
@@ -142,6 +143,8 @@ def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Fi
             return found
         body = file.read(length)
         if len(body) < length:
+            if next_record(file, found.end + 1) is not None:
+                raise BeyondRepairError("there is something in it that is no record")
             return found
         try:
             found.take(opcode, body)
