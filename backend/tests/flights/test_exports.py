@@ -15,7 +15,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import foxglove.messages
 import numpy as np
 import orjson
 import pyarrow as pa
@@ -27,7 +26,6 @@ from mcap.reader import make_reader
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.flights.export.asked import Progress
-from epf_gcs.flights.export.json_schemas import LOCATION_FIX_SCHEMA
 from epf_gcs.flights.export.verb import run
 from epf_gcs.flights.importing import run as import_run
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
@@ -236,45 +234,6 @@ def test_decoded_mcap_is_found_by_time_through_its_index(flight: Path) -> None:
     assert topics["location_hil"] == pytest.approx(50, abs=1), "a place of the next moment may have been taken in this"
 
 
-def test_positions_are_published_as_map_panels_read_them(flight: Path) -> None:
-    found = [one for one in decoded(export(flight, "mcap-decoded")) if one[0].startswith("location_")]
-    for topic, t_ns, message, schema in found:
-        Draft202012Validator(schema).validate(message)
-        assert schema["title"] == "foxglove.LocationFix"
-        assert message["timestamp"] == {"sec": t_ns // 10**9, "nsec": t_ns % 10**9}
-        assert message["frame_id"] == topic.removeprefix("location_")
-        # The published type takes all of its fields.
-        kwargs = {name: value for name, value in message.items() if not name.startswith(("timestamp", "position"))}
-        foxglove.messages.LocationFix(**kwargs, position_covariance=message["position_covariance"])
-    gps = columns_of(flight)["gps"]["latitude_deg"].to_pylist()
-    assert [one[2]["latitude"] for one in found if one[0] == "location_flight"] == gps
-
-
-def test_the_schema_of_a_position_is_the_published_one() -> None:
-    """The package has it as a descriptor of protocol buffers; JSON has the same fields, and a time as sec and nsec."""
-    types = {1: "number", 9: "string"}
-    (published,) = (
-        message
-        for message in _messages(foxglove.messages.LocationFix.get_schema().data)
-        if message.name == "LocationFix"
-    )
-    properties = LOCATION_FIX_SCHEMA["properties"]
-    assert LOCATION_FIX_SCHEMA["title"] == foxglove.messages.LocationFix.get_schema().name
-    assert set(properties) <= set(published.fields)
-    plain = {name for name, field in published.fields.items() if field.message == ""}
-    # What is optional there (heading, velocity, colour, words) is left out.
-    assert {*LOCATION_FIX_SCHEMA["required"]} - set(properties) == set()
-    for name in plain & set(properties):
-        field = published.fields[name]
-        said = properties[name]
-        assert (said["items"]["type"] if field.repeated else said["type"]) == types[field.kind]
-        assert field.repeated == (said["type"] == "array")
-    assert published.fields["timestamp"].message == ".google.protobuf.Timestamp"
-    assert {one["title"]: one["const"] for one in properties["position_covariance_type"]["oneOf"]} == published.enums[
-        "PositionCovarianceType"
-    ]
-
-
 def test_an_exported_recording_is_imported_to_an_equal_flight(flight: Path, tmp_path: Path) -> None:
     checked = tmp_path / "recordings" / flight.name
     checked.parent.mkdir()
@@ -358,58 +317,3 @@ def _peak_kb(path: Path, kind: str) -> int:
     process.stdin.close()
     process.stdout.close()
     return usage.ru_maxrss
-
-
-class _Field:
-    def __init__(self, data: bytes) -> None:
-        values = dict(_records(data))
-        self.name = values[1].decode()
-        self.repeated = values.get(4) == 3
-        self.kind = values[5]
-        self.message = values.get(6, b"").decode()
-
-
-class _Message:
-    def __init__(self, data: bytes) -> None:
-        pairs = list(_records(data))
-        self.name = next(value.decode() for tag, value in pairs if tag == 1)
-        self.fields = {field.name: field for field in (_Field(value) for tag, value in pairs if tag == 2)}
-        self.enums = {}
-        for value in (value for tag, value in pairs if tag == 4):
-            inside = list(_records(value))
-            name = next(one.decode() for tag, one in inside if tag == 1)
-            numbers = [dict(_records(one)) for tag, one in inside if tag == 2]
-            self.enums[name] = {one[1].decode(): one.get(2, 0) for one in numbers}
-
-
-def _messages(data: bytes) -> list[_Message]:
-    """The messages of a set of descriptors of protocol buffers."""
-    files = [value for tag, value in _records(data) if tag == 1]
-    return [_Message(value) for file in files for tag, value in _records(file) if tag == 4]
-
-
-def _records(data: bytes) -> list[tuple[int, Any]]:
-    """Number and value of each field of a message of protocol buffers: numbers and bytes."""
-    found: list[tuple[int, Any]] = []
-    at = 0
-
-    def number() -> int:
-        nonlocal at
-        value = shift = 0
-        while True:
-            byte = data[at]
-            at += 1
-            value |= (byte & 0x7F) << shift
-            shift += 7
-            if byte < 0x80:
-                return value
-
-    while at < len(data):
-        tag = number()
-        value: Any = number()
-        if tag & 7 == 2:
-            size = value
-            value = data[at : at + size]
-            at += size
-        found.append((tag >> 3, value))
-    return found

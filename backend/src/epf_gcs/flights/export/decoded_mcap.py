@@ -1,4 +1,5 @@
-"""MCAP with every topic decoded: JSON with a schema, the position as `foxglove.LocationFix`, in order of time.
+"""MCAP with every topic decoded: JSON with a schema, in order of time; position, attitude and events also as Foxglove's
+published schemas have them, and what is known of the flight as metadata.
 
 Lichtblick and PlotJuggler show it as it is. The time of a message is the recorded one; that of a position is when it
 may have been taken (see `spread.py`).
@@ -6,7 +7,6 @@ may have been taken (see `spread.py`).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
@@ -16,11 +16,14 @@ import pyarrow as pa
 from mcap.records import Channel, Schema
 
 from epf_gcs.flights.export.asked import ExportRequest, Progress
-from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
-from epf_gcs.flights.export.json_schemas import LOCATION_FIX_SCHEMA, schema_of
-from epf_gcs.flights.export.stretch import Stretch, times_of
+from epf_gcs.flights.export.flight_facts import flight_facts
+from epf_gcs.flights.export.flown import TOPICS, WHERE, FlownLine, Source, attitudes, flown_lines
+from epf_gcs.flights.export.foxglove_messages import Batches, locations, logs, poses, poses_in_place
+from epf_gcs.flights.export.foxglove_schemas import LOCATION_FIX_SCHEMA, LOG_SCHEMA, POSE_SCHEMA
+from epf_gcs.flights.export.json_schemas import schema_of
+from epf_gcs.flights.export.stretch import EVENTS, Stretch, times_of
 from epf_gcs.recordings.export_names import stretch_empty
-from epf_gcs.recordings.mcap_file import Contents, encoded, message_record
+from epf_gcs.recordings.mcap_file import Contents, encoded, message_record, metadata_record
 from epf_gcs.recordings.packed_file import PackedFile
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.scan import Places
@@ -30,11 +33,7 @@ _LEVEL: Final = 3
 _READING: Final = 0.1
 # A batch of every topic is held at once, as JSON.
 _ROWS: Final = 512
-_LOCATIONS: Final[dict[Source, str]] = {"flight": "location_flight", "hil": "location_hil"}
-_UNKNOWN_COVARIANCE: Final = {"position_covariance": [0.0] * 9, "position_covariance_type": 0}
-
-Batches = Iterator[tuple[Places, list[bytes]]]
-"""Times (n,) and the n messages, as JSON; in order of time."""
+_SOURCES: Final[tuple[Source, ...]] = ("flight", "hil")
 
 
 class _Stream(NamedTuple):
@@ -48,21 +47,34 @@ def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -
     stretch = Stretch(asked, progress)
     tracks: dict[Source, list[FlownLine]] = {}
     stretch.expect([topic for topic in TOPICS if topic in stretch.topics], share=_READING)
-    for source in _LOCATIONS:
+    for source in _SOURCES:
         tracks[source] = flown_lines(stretch, source, aside)
     stretch.expect(stretch.topics, _READING, 1.0 - _READING)
     streams = [
         _Stream(topic, schema_of(topic, stretch.schema(topic)), _topic(stretch, topic)) for topic in stretch.topics
-    ] + [
-        _Stream(name, LOCATION_FIX_SCHEMA, _locations(source, tracks[source]))
-        for source, name in _LOCATIONS.items()
-        if tracks[source]
     ]
+    for source, lines in tracks.items():
+        streams += _of_aircraft(stretch, source, lines)
+    if EVENTS in stretch.topics:
+        streams.append(_Stream("log", LOG_SCHEMA, logs(stretch.events(), asked.language)))
     with target.open("wb") as file:
         output = PackedFile(file, _LIBRARY, _contents(streams), _LEVEL)
+        for name, values in flight_facts(asked.recording, asked.span_ns(stretch.start_ns)[1]).items():
+            output.note(name, metadata_record(name, values))
         if not _merge([stream.batches for stream in streams], output):
             raise stretch_empty()
         output.finish()
+
+
+def _of_aircraft(stretch: Stretch, source: Source, lines: list[FlownLine]) -> list[_Stream]:
+    if lines:
+        return [
+            _Stream(f"location_{source}", LOCATION_FIX_SCHEMA, locations(source, lines)),
+            _Stream(f"pose_{source}", POSE_SCHEMA, poses(source, lines)),
+        ]
+    if WHERE[source].attitude_topic not in stretch.topics:
+        return []
+    return [_Stream(f"pose_{source}", POSE_SCHEMA, poses_in_place(source, attitudes(stretch, source)))]
 
 
 def _contents(streams: list[_Stream]) -> Contents:
@@ -107,28 +119,6 @@ def _values(column: pa.Array) -> list[Any]:
     if column.null_count or not (pa.types.is_floating(column.type) or pa.types.is_integer(column.type)):
         return column.to_pylist()  # type: ignore[no-any-return]
     return column.to_numpy().tolist()  # type: ignore[no-any-return]
-
-
-def _locations(source: Source, lines: list[FlownLine]) -> Batches:
-    for line in lines:
-        for samples in line:
-            t_ns = np.round(samples.t_s * 1e3).astype(np.int64) * 1_000_000
-            places = zip(t_ns.tolist(), *(column.tolist() for column in samples[1:4]), strict=True)
-            yield t_ns, [_location(source, *place) for place in places]
-
-
-def _location(source: Source, t_ns: int, latitude_deg: float, longitude_deg: float, altitude_m: float) -> bytes:
-    seconds, rest_ns = divmod(t_ns, 1_000_000_000)
-    return orjson.dumps(
-        {
-            "timestamp": {"sec": seconds, "nsec": rest_ns},
-            "frame_id": source,
-            "latitude": latitude_deg,
-            "longitude": longitude_deg,
-            "altitude": altitude_m,
-            **_UNKNOWN_COVARIANCE,
-        }
-    )
 
 
 def _merge(sources: list[Batches], output: PackedFile) -> bool:

@@ -106,6 +106,18 @@ def flown_lines(stretch: Stretch, source: Source, aside: Path) -> list[FlownLine
     return [FlownLine(path, first, end) for first, end in track.lines]
 
 
+def attitudes(stretch: Stretch, source: Source) -> Iterator[tuple[Times, Rows]]:
+    """Times and rows of heading, pitch and roll (deg) where all three are known."""
+    return spread(_attitudes(stretch, WHERE[source]))
+
+
+def _attitudes(stretch: Stretch, where: _Where) -> Iterator[tuple[Times, Rows]]:
+    for batch in stretch.batches(where.attitude_topic, ["t_ns", *where.attitude]):
+        rows = np.stack([_numbers(batch, name) for name in where.attitude], axis=1)
+        good = np.isfinite(rows).all(axis=1)
+        yield times_of(batch)[good], rows[good]
+
+
 @dataclass
 class _Track:
     """Cleans points and writes them, as rows of `Samples`."""
@@ -232,16 +244,9 @@ class _Attitudes:
     def __init__(self, stretch: Stretch, where: _Where) -> None:
         self._t_ns = np.empty(0, dtype=np.int64)
         self._rows = np.empty((0, 3))
-        self._more = spread(self._samples(stretch, where))
+        self._more = spread(_attitudes(stretch, where))
         if where.attitude_topic not in stretch.topics:
             self._more = iter(())
-
-    @staticmethod
-    def _samples(stretch: Stretch, where: _Where) -> Iterator[tuple[Times, Rows]]:
-        for batch in stretch.batches(where.attitude_topic, ["t_ns", *where.attitude]):
-            rows = np.stack([_numbers(batch, name) for name in where.attitude], axis=1)
-            good = np.isfinite(rows).all(axis=1)
-            yield times_of(batch)[good], rows[good]
 
     def at(self, t_ns: Times) -> Rows:
         """Heading, pitch and roll (n, 3); NaN where there is none."""

@@ -6,7 +6,7 @@ some refuse a type that may be two.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import pyarrow as pa
 
@@ -14,61 +14,36 @@ from epf_gcs.codec.messages_gen import COMMANDS_BY_ID, TELEMETRY, XPLANE_ROWS
 from epf_gcs.codec.tables import Message, Value
 from epf_gcs.flights.columns import SENT
 from epf_gcs.flights.convert import DESCRIPTION
+from epf_gcs.flights.export.foxglove_schemas import DRAFT, Schema
 from epf_gcs.xplane.mapping import in_our_unit
 
-Schema = dict[str, Any]
-
-_DRAFT: Final = "https://json-schema.org/draft/2020-12/schema"
 _TYPES: Final = {"number": "number", "integer": "integer", "boolean": "boolean", "text": "string"}
+# Tables that are of no message.
+_TABLES: Final = {
+    "damage": "What came on the line and was no whole frame.",
+    "events": "What happened in the flight.",
+    "link": "How busy the lines were, second by second.",
+    "simulator": "The simulator's aircraft, of every datagram.",
+    "xplane_info": "What the station told the board of the simulator's aircraft (command 50).",
+}
+_FIELDS: Final = {
+    ("damage", "direction"): "Whether it was received or sent.",
+    ("damage", "kind"): "What is wrong with it.",
+    ("damage", "data"): "The bytes, hexadecimal.",
+    ("events", "until_ns"): "When it ended, Unix ns; none for a moment, or while it lasts.",
+    ("events", "kind"): "What kind of event it is.",
+    ("events", "name"): "Which command, alarm, mode, plan or line it is of.",
+    ("events", "id"): "A mark's own number.",
+    ("events", "data"): "What else is known of it, as JSON.",
+    ("xplane_info", "elevator"): "The stick's, nose up positive, from -1 to 1.",
+    ("xplane_info", "aileron"): "The stick's, right wing down positive, from -1 to 1.",
+    ("xplane_info", "rudder"): "The stick's, nose right positive, from -1 to 1.",
+    ("xplane_info", "throttle"): "The lever's, from 0 to 1.",
+    ("xplane_rows", "row"): "X-Plane's number of the row.",
+    **{("xplane_rows", f"value_{place}"): f"Value {place} of the row; its meaning is the row's." for place in range(8)},
+}
 _MESSAGES: Final[dict[str, Message]] = {message.name: message for message in TELEMETRY.values()} | {
     SENT + message.name: message for message in COMMANDS_BY_ID.values()
-}
-_TIME: Final[Schema] = {
-    "type": "object",
-    "title": "time",
-    "description": "Unix time of the sample.",
-    "properties": {
-        "sec": {"type": "integer", "minimum": 0},
-        "nsec": {"type": "integer", "minimum": 0, "maximum": 999_999_999},
-    },
-}
-LOCATION_FIX: Final = "foxglove.LocationFix"
-LOCATION_FIX_SCHEMA: Final[Schema] = {
-    "$schema": _DRAFT,
-    "title": LOCATION_FIX,
-    "description": "Where the aircraft is, as map panels read it.",
-    "type": "object",
-    "properties": {
-        "timestamp": _TIME,
-        "frame_id": {"type": "string", "description": "Whose position it is: the flight's or the simulator's."},
-        "latitude": {"type": "number", "description": "deg, north positive, WGS84"},
-        "longitude": {"type": "number", "description": "deg, east positive, WGS84"},
-        "altitude": {"type": "number", "description": "m above mean sea level"},
-        "position_covariance": {
-            "type": "array",
-            "items": {"type": "number"},
-            "minItems": 9,
-            "maxItems": 9,
-            "description": "m^2, east, north and up, row by row; zeros, for it is not known.",
-        },
-        "position_covariance_type": {
-            "title": "foxglove.PositionCovarianceType",
-            "description": "0: the covariance is not known.",
-            "oneOf": [
-                {"title": title, "const": number}
-                for number, title in enumerate(("UNKNOWN", "APPROXIMATED", "DIAGONAL_KNOWN", "KNOWN"))
-            ],
-        },
-    },
-    "required": [
-        "timestamp",
-        "frame_id",
-        "latitude",
-        "longitude",
-        "altitude",
-        "position_covariance",
-        "position_covariance_type",
-    ],
 }
 
 
@@ -80,10 +55,14 @@ def schema_of(topic: str, columns: pa.Schema) -> Schema:
         described = {"description": message.doc}
     else:
         rows = _row_docs()
-        properties = {one.name: _column(one, rows.get(one.name, "")) for one in columns if one.name != "t_ns"}
+        properties = {
+            one.name: _column(one, rows.get(one.name) or _FIELDS.get((topic, one.name), ""))
+            for one in columns
+            if one.name != "t_ns"
+        }
         about = (columns.metadata or {}).get(DESCRIPTION)
-        described = {} if about is None else {"description": about.decode()}
-    return {"$schema": _DRAFT, "title": f"epf.{topic}", **described, "type": "object", "properties": properties}
+        described = {"description": _TABLES.get(topic, "") if about is None else about.decode()}
+    return {"$schema": DRAFT, "title": f"epf.{topic}", **described, "type": "object", "properties": properties}
 
 
 def _value(value: Value) -> Schema:

@@ -11,11 +11,13 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from epf_gcs.flights.columns import KEYFRAMES
+from epf_gcs.flights.events import FILE, Event, read_events
 from epf_gcs.flights.export.asked import ExportRequest, Progress, unknown_topic
 from epf_gcs.flights.indexed import not_indexed
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.places import SUMMARY, Places
 
+EVENTS: Final = FILE.removesuffix(".parquet")
 ROWS: Final = 8192
 """Rows of a batch."""
 
@@ -51,6 +53,12 @@ class Stretch:
     def schema(self, topic: str) -> pa.Schema:
         """The columns of a topic with their units."""
         return pq.read_schema(self.path(topic))
+
+    def events(self) -> list[Event]:
+        """What happened in the stretch, in order of time; also what nothing came of."""
+        path = self.path(EVENTS)
+        found = read_events(path) if path.exists() else []
+        return [event for event in found if self._first_ns <= event.t_ns <= self._last_ns]
 
     def expect(self, topics: Sequence[str], base: float = 0.0, share: float = 1.0) -> None:
         """These topics are read next: the progress goes from `base` on by `share` while they are."""

@@ -7,7 +7,6 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.flights.events import FILE, Event, read_events
 from epf_gcs.flights.export.asked import ExportRequest, Progress, no_position
 from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
 from epf_gcs.flights.export.placed import placed_events
@@ -51,7 +50,7 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
     names: dict[Source, str] = {"flight": words.track, "hil": words.hil_track}
     when = datetime.fromtimestamp(stretch.start_ns // 1_000_000_000, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
     title = f"{words.station}: {words.track}, {when}"
-    happened = placed_events(_events(stretch), [*tracks["hil"], *tracks["flight"]], asked.language)
+    happened = placed_events(stretch.events(), [*tracks["hil"], *tracks["flight"]], asked.language)
     note = words.thinned.format(deviation_m=DEVIATION_M) if asked.is_thinned else None
     match asked.format:
         case "gpx":
@@ -75,8 +74,3 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
         note,
     )
     return document if asked.format == "kml" else kmz.kmz_pieces([(kmz.DOCUMENT, document)])
-
-
-def _events(stretch: Stretch) -> list[Event]:
-    path = stretch.folder / FILE
-    return read_events(path) if path.exists() else []
