@@ -10,11 +10,11 @@ from typing import Final
 
 import pyarrow as pa
 
-from epf_gcs.codec.messages_gen import COMMANDS_BY_ID, TELEMETRY, XPLANE_ROWS
-from epf_gcs.codec.tables import Message, Value
-from epf_gcs.flights.columns import SENT
+from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.codec.tables import Value
 from epf_gcs.flights.convert import DESCRIPTION
 from epf_gcs.flights.export.foxglove_schemas import DRAFT, Schema
+from epf_gcs.flights.export.number_names import MESSAGES, SUFFIX, names_of
 from epf_gcs.xplane.mapping import in_our_unit
 
 _TYPES: Final = {"number": "number", "integer": "integer", "boolean": "boolean", "text": "string"}
@@ -42,16 +42,15 @@ _FIELDS: Final = {
     ("xplane_rows", "row"): "X-Plane's number of the row.",
     **{("xplane_rows", f"value_{place}"): f"Value {place} of the row; its meaning is the row's." for place in range(8)},
 }
-_MESSAGES: Final[dict[str, Message]] = {message.name: message for message in TELEMETRY.values()} | {
-    SENT + message.name: message for message in COMMANDS_BY_ID.values()
-}
 
 
 def schema_of(topic: str, columns: pa.Schema) -> Schema:
     """The schema of a topic's messages; `columns` are those of its table."""
-    message = _MESSAGES.get(topic)
+    message = MESSAGES.get(topic)
     if message is not None:
-        properties = {value.name: _value(value) for value in message.values}
+        properties = {value.name: _value(value) for value in message.values} | {
+            name + SUFFIX: {"type": "string", "description": f"What {name} stands for."} for name in names_of(topic)
+        }
         described = {"description": message.doc}
     else:
         rows = _row_docs()

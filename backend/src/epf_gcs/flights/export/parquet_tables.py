@@ -10,6 +10,7 @@ from typing import Final
 import pyarrow.parquet as pq
 
 from epf_gcs.flights.export.asked import ExportRequest, Progress
+from epf_gcs.flights.export.number_names import names_of
 from epf_gcs.flights.export.stretch import Stretch
 from epf_gcs.recordings.export_names import is_single
 
@@ -29,7 +30,7 @@ def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -
     with zipfile.ZipFile(target, "w", zipfile.ZIP_STORED) as archive:
         for number, topic in enumerate(stretch.topics):
             path = stretch.path(topic)
-            if not stretch.is_whole:
+            if not _is_as_it_is(stretch, topic):
                 path = aside / f"{topic}.parquet"
                 _table(stretch, topic, path)
             name = f"{partition.as_posix()}/{topic}.parquet"
@@ -41,10 +42,14 @@ def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -
 
 
 def _table(stretch: Stretch, topic: str, target: Path) -> None:
-    """One table: as it is, or the rows of the stretch."""
-    if stretch.is_whole:
+    """One table: as it is, or the rows of the stretch with the names of numbers."""
+    if _is_as_it_is(stretch, topic):
         shutil.copyfile(stretch.path(topic), target)
         return
     with pq.ParquetWriter(target, stretch.schema(topic), compression="zstd") as writer:
         for batch in stretch.batches(topic):
             writer.write_batch(batch, row_group_size=_GROUP_ROWS)
+
+
+def _is_as_it_is(stretch: Stretch, topic: str) -> bool:
+    return stretch.is_whole and not names_of(topic)

@@ -13,6 +13,7 @@ import pyarrow.parquet as pq
 from epf_gcs.flights.columns import KEYFRAMES
 from epf_gcs.flights.events import FILE, Event, read_events
 from epf_gcs.flights.export.asked import ExportRequest, Progress, unknown_topic
+from epf_gcs.flights.export.number_names import named_rows, named_schema
 from epf_gcs.flights.indexed import not_indexed
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.places import SUMMARY, Places
@@ -51,8 +52,8 @@ class Stretch:
         return self.folder / f"{topic}.parquet"
 
     def schema(self, topic: str) -> pa.Schema:
-        """The columns of a topic with their units."""
-        return pq.read_schema(self.path(topic))
+        """The columns of a topic with their units, and those with the names of numbers."""
+        return named_schema(topic, pq.read_schema(self.path(topic)))
 
     def events(self) -> list[Event]:
         """What happened in the stretch, in order of time; also what nothing came of."""
@@ -66,7 +67,8 @@ class Stretch:
         self._read_rows, self._base, self._share = 0, base, share
 
     def batches(self, topic: str, columns: list[str] | None = None, rows: int = ROWS) -> Iterator[pa.RecordBatch]:
-        """The rows of the stretch in the order of the file, none of the batches empty."""
+        """The rows of the stretch in the order of the file, none of the batches empty; without `columns` all of them,
+        with the names of numbers."""
         # Without reading ahead: what a prefetch holds grows with the file.
         with pq.ParquetFile(self.path(topic), pre_buffer=False) as file:
             for group in range(file.metadata.num_row_groups):
@@ -77,7 +79,7 @@ class Stretch:
                     self._count(batch.num_rows)
                     chosen = self._chosen(batch)
                     if chosen.num_rows:
-                        yield chosen
+                        yield named_rows(topic, chosen) if columns is None else chosen
 
     def _chosen(self, batch: pa.RecordBatch) -> pa.RecordBatch:
         if self.is_whole:
