@@ -284,6 +284,7 @@ def test_what_was_known_is_the_newest_note_before_the_moment() -> None:
 
 def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
     line = {"line": "board", "open": True, "url": "pty:///b"}
+    closed = Note(START_NS, notes.LINE, {"line": "simulator", "open": False})
     told = [
         Note(START_NS + 10**9, notes.LINE, line),
         noted(1.1, "link", board="opening", simulator="closed"),
@@ -300,6 +301,8 @@ def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
         ("link", "", 30.0),
         ("link", "board_closed", 40.0),
     ]
+    again = [closed, told[0], told[0], closed, *told[1:]]
+    assert found(MadeFlight({}, again)) == found(MadeFlight({}, told)), "nor is one that was never open closed"
     assert len(found(MadeFlight({}, told[1:3]))) == 2, "an old recording has no notes of lines"
 
 

@@ -139,6 +139,7 @@ def _noted(found: list[Note]) -> list[Event]:
     """Events from notes. The end of a command or alarm becomes the end of the event that it began with."""
     events: list[Event] = []
     open_events: dict[tuple[str, Any], Event] = {}
+    lines: dict[str, Content] = {}
     has_lines, lost = any(note.name == notes.LINE for note in found), set[str]()
     for note in found:
         content = note.content if isinstance(note.content, dict) else {}
@@ -148,8 +149,13 @@ def _noted(found: list[Note]) -> list[Event]:
         elif note.name == notes.LOST:
             events.append(Event(note.t_ns, "lost", str(content.get("reason", "")), content))
         elif note.name == notes.LINE:
-            name = f"{content.get('line')}_{'opened' if content.get('open') else 'closed'}"
-            events.append(Event(note.t_ns, "link", name, content))
+            # Said again, or closed from the start: nothing happened.
+            line = str(content.get("line"))
+            before = lines.get(line, {})
+            if content != before and (content.get("open") or before.get("open")):
+                name = f"{line}_{'opened' if content.get('open') else 'closed'}"
+                events.append(Event(note.t_ns, "link", name, content))
+            lines[line] = content
         elif note.name == notes.EVENT and content.get("event") in _KINDS:
             event = _from_stream(note.t_ns, content)
             if event.kind == "link" and has_lines and not _is_lost_or_back(event.data, lost):

@@ -11,7 +11,7 @@ import msgspec
 from epf_gcs.contract.flights import Thumbnail
 from epf_gcs.recordings.places import SUMMARY, Stamp
 
-VERSION: Final = 2
+VERSION: Final = 3
 """Summaries of another version are made again."""
 
 

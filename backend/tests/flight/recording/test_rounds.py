@@ -189,6 +189,20 @@ def test_what_is_known_stands_in_a_later_file_at_its_first_byte(rounds: Rounds) 
         assert known[0] == Note(int(read_file(file).messages.t_ns[0]), LINE, {"line": "board"})
 
 
+def test_what_is_said_behind_the_first_byte_stands_in_its_place_and_not_at_the_start_too(rounds: Rounds) -> None:
+    recorder = rounds.recorder
+    recorder.know(LINE, "board", 4, {"line": "board", "open": True})
+    recorder.know(LINE, "simulator", 5, {"line": "simulator", "open": False})
+    recorder.board_tap.received(b"one")
+    recorder.know(LINE, "simulator", 6, {"line": "simulator", "open": True})
+    recorder.end_session()
+    recorder.know(LINE, "simulator", 7, {"line": "simulator", "open": False})
+    rounds.at(100.0)
+    (file,) = rounds.ends()
+    said = [(note.content["line"], note.content["open"]) for note in notes_of(file)]
+    assert said == [("board", True), ("simulator", True)]
+
+
 def test_the_summary_counts_each_kind_of_note(rounds: Rounds) -> None:
     rounds.recorder.know(LINE, "board", 5, {"line": "board"})
     rounds.recorder.board_tap.lost = 3

@@ -163,7 +163,7 @@ class Recorder:
             if not batch:
                 return
         try:
-            output = self._output or self._open(batch[0][1])
+            output = self._output or self._open(batch)
             if output is not None:
                 self._note_lost(output, batch[0][1])
                 output.put(b"".join([self._record(output, *entry) for entry in _together(batch)]))
@@ -188,7 +188,7 @@ class Recorder:
             output.tally.metadata_count += 1
             self._lost_noted, self._lost_reason = lost, None
 
-    def _open(self, t_ns: int) -> RecordingFile | None:
+    def _open(self, batch: list[tuple[int, int, bytes]]) -> RecordingFile | None:
         if monotonic() < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
@@ -196,9 +196,12 @@ class Recorder:
         self._output = RecordingFile(self._folder, self._clock.unix_ns(monotonic_ns()), self._library, TOPICS)
         self._bytes_seen = 0
         self._begun_s = monotonic()
+        # What was said behind the first byte comes in its own place.
+        waiting = {entry[2] for entry in (*batch, *self._queue.copy()) if entry is not None and entry[0] == NOTE}
         for (name, _), values in list(self._known.items()):
-            self._output.put(metadata_record(name, {**values, "t_ns": str(t_ns)}))
-            self._output.tally.metadata_count += 1
+            if metadata_record(name, values) not in waiting:
+                self._output.put(metadata_record(name, {**values, "t_ns": str(batch[0][1])}))
+                self._output.tally.metadata_count += 1
         return self._output
 
     def _wrote(self, output: RecordingFile) -> None:
