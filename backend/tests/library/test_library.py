@@ -79,6 +79,9 @@ def test_it_is_searched_by_words_tag_board_and_time_and_sorted(places: Places) -
             flight,
             board="ala fija" if number else "delta",
             highest_ft=[900.0, None, 300.0][number],
+            distance_nm=[None, 1.5, 20.0][number],
+            alarms=[0, 12, 5][number],
+            marks=number,
             started_ns=(1_767_261_600 + number) * 10**9,
         )
     library = Library(places)
@@ -93,6 +96,11 @@ def test_it_is_searched_by_words_tag_board_and_time_and_sorted(places: Places) -
     assert ids(library, from_s=1_767_261_601, to_s=1_767_261_601.5) == [SECOND]
     assert ids(library, sort="highest") == [FIRST, THIRD, SECOND], "what is not known comes last"
     assert ids(library, sort="highest", descending=False) == [THIRD, FIRST, SECOND]
+    assert ids(library, sort="distance") == [THIRD, SECOND, FIRST]
+    assert ids(library, sort="alarms") == [SECOND, THIRD, FIRST]
+    assert ids(library, sort="marks", descending=False) == [FIRST, SECOND, THIRD]
+    library.say(THIRD, About(title="despegue"))
+    assert ids(library, sort="title", descending=False) == [THIRD, FIRST, SECOND], "without a title comes last"
     assert ids(library, first=1, most=1) == [SECOND]
     assert (library.tags(), library.boards()) == (["50%", "viraje"], ["ala fija", "delta"])
 

@@ -42,13 +42,17 @@ _LEARNT: Final = ("started_s", "duration_s", "highest_ft", "fastest_kt", "board"
 
 log = structlog.get_logger("web")
 
-Sort = Literal["started", "duration", "highest", "fastest", "bytes"]
+Sort = Literal["started", "duration", "highest", "fastest", "bytes", "distance", "alarms", "marks", "title"]
 _SORTS: Final[dict[Sort, str]] = {
     "started": "started_s",
     "duration": "duration_s",
     "highest": "highest_ft",
     "fastest": "fastest_kt",
     "bytes": "bytes",
+    "distance": "json_extract(summary, '$.distance_nm')",
+    "alarms": "json_extract(summary, '$.alarms')",
+    "marks": "json_extract(summary, '$.marks')",
+    "title": "nullif(json_extract(about, '$.title'), '') COLLATE NOCASE",
 }
 
 

@@ -1,5 +1,15 @@
 /** How the list may be sorted. */
-export const SORTS = ["started", "duration", "highest", "fastest", "bytes"] as const;
+export const SORTS = [
+  "started",
+  "duration",
+  "distance",
+  "highest",
+  "fastest",
+  "alarms",
+  "marks",
+  "title",
+  "bytes",
+] as const;
 export type Sort = (typeof SORTS)[number];
 
 /** Which flights are asked for. `from` and `to` are local days ("2026-01-31") or empty. */
