@@ -66,6 +66,7 @@ def test_every_recording_is_listed_the_newest_first_and_nothing_else(places: Pla
     library.refresh(None)
     assert ids(library) == [THIRD, SECOND, FIRST]
     assert library.search(FlightQuery())[1] == 3
+    assert library.unnamed == ["20269999T999999Z.mcap", "notes.mcap"], "but what is there is named"
     places.recording(SECOND).unlink()
     library.refresh(None)
     assert ids(library) == [THIRD, FIRST]

@@ -951,8 +951,9 @@ export const isJob = shape({
 export type Job = Checked<typeof isJob>;
 
 /** One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
- * whole library; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is
- * called, empty for no name. */
+ * whole library; `unnamed` are files among the recordings whose names are no flight's, which an import makes flights;
+ * `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is called, empty
+ * for no name. */
 export const isFlightList = shape({
   aircraft: isText,
   boards: list(isText),
@@ -961,6 +962,7 @@ export const isFlightList = shape({
   indexing: list(isJob),
   tags: list(isText),
   total: isNumber,
+  unnamed: list(isText),
 });
 export type FlightList = Checked<typeof isFlightList>;
 

@@ -50,6 +50,7 @@ export function aFlightList(parts: Partial<FlightList> = {}): FlightList {
     total: flights.length,
     tags: ["isla", "viento"],
     boards: ["epf"],
+    unnamed: [],
     indexing: [],
     disk: {
       free_bytes: 50_000_000_000,

@@ -133,9 +133,9 @@ class Flights:
         """All flights, oldest first."""
         return await self.in_thread(self._library.all)
 
-    async def words(self) -> tuple[list[str], list[str]]:
-        """All tags and boards there are."""
-        return await self.in_thread(lambda: (self._library.tags(), self._library.boards()))
+    async def words(self) -> tuple[list[str], list[str], list[str]]:
+        """All tags and boards there are, and the files whose names are no flight's."""
+        return await self.in_thread(lambda: (self._library.tags(), self._library.boards(), self._library.unnamed))
 
     async def get(self, flight: str) -> Row:
         """One flight. Raises NotFoundError."""

@@ -92,12 +92,16 @@ class Row:
 
 
 class Library:
-    """Every method reads or writes the disk and belongs to one thread."""
+    """Every method reads or writes the disk and belongs to one thread.
+
+    `unnamed` are files among the recordings whose names are no flight's.
+    """
 
     def __init__(self, places: Places) -> None:
         self._places = places
         self._database: sqlite3.Connection | None = None
         self._growing: str | None = None
+        self.unnamed: list[str] = []
 
     def close(self) -> None:
         """Close the file."""
@@ -120,13 +124,13 @@ class Library:
         known = {row["id"]: row for row in self._all("SELECT id, bytes, mtime_ns, about_stamp, summary FROM flight")}
         made = self._places.made()
         there: set[str] = set()
-        for path in regular_files(self._places.recordings, "*.mcap"):
+        files = list(regular_files(self._places.recordings, "*.mcap"))
+        for path in (path for path in files if is_id(path.stem)):
             flight = path.stem
-            if not is_id(flight):
-                continue
             with contextlib.suppress(ValueError, FileNotFoundError):
                 self._look(flight, stamp_of(path), known.get(flight), made.get(flight), is_growing=flight == growing)
                 there.add(flight)
+        self.unnamed = sorted(path.name for path in files if path.stem not in there)
         for flight in known.keys() - there:
             self._execute("DELETE FROM flight WHERE id = ?", flight)
         self._open().commit()

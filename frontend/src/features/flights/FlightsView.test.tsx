@@ -71,6 +71,11 @@ describe("at first start", () => {
     expect(screen.getByText(/importar una grabación de otra máquina/)).toBeTruthy();
   });
 
+  test("a recording that was renamed in its folder is named, with what to do", async () => {
+    await open(aFlightList({ unnamed: ["my flight.mcap"] }));
+    expect(screen.getByText(/^my flight\.mcap está en la carpeta de grabaciones.*impórtalo/)).toBeTruthy();
+  });
+
   test("a list that cannot be read says why", async () => {
     station = new Station(<Tab name="flights" />);
     station.greet();

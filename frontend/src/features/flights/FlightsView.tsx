@@ -51,6 +51,7 @@ export function FlightsView() {
             failure === null && <p className="flights-quiet">{t("window.loading")}</p>
           ) : (
             <>
+              <Unnamed files={list.unnamed} />
               <FlightPages />
               {past.length > 0 && <FlightRows flights={past} />}
               {past.length === 0 && (isFiltered(query) ? <NothingFound /> : <NothingYet />)}
@@ -107,6 +108,14 @@ function CompareButtons() {
       {t(words as "flights.compare")}
     </Button>
   ));
+}
+
+/** Recordings that were renamed in their folder. */
+function Unnamed({ files }: { files: readonly string[] }) {
+  const { t } = useTranslation();
+  return files.length === 0 ? null : (
+    <Notice level="warning">{t("flights.unnamed", { count: files.length, names: files.join(", ") })}</Notice>
+  );
 }
 
 function JustDeleted() {

@@ -90,6 +90,7 @@ function answerTo(path: string): unknown {
       total: 0,
       tags: [],
       boards: [],
+      unnamed: [],
       indexing: [],
       disk: {
         free_bytes: 1,

@@ -126,6 +126,15 @@ def test_a_recording_of_another_machine_becomes_a_flight(gateway: Gateway) -> No
     eventually(lambda: not any(incoming.iterdir()), "nothing of the upload stays")
 
 
+def test_a_recording_that_was_renamed_in_its_folder_is_named_in_the_list(gateway: Gateway) -> None:
+    folder = Path(gateway.flight_thread.data_dir) / "recordings"
+    folder.mkdir(exist_ok=True)
+    (folder / "my flight.mcap").write_bytes(recording([NOW_NS, NOW_NS + 10**9]))
+    assert (listed(gateway)["flights"], listed(gateway)["unnamed"]) == ([], ["my flight.mcap"])
+    (folder / "my flight.mcap").unlink()
+    assert listed(gateway)["unnamed"] == []
+
+
 def test_a_file_larger_than_a_recording_may_be_is_refused_and_nothing_of_it_stays(
     gateway: Gateway, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -58,6 +58,8 @@ _FROM_SUMMARY: Final = (
     "thumbnail",
 )
 
+_MOST_UNNAMED: Final = 20
+
 FlightId = Annotated[str, Path(pattern=ID_PATTERN, examples=["20260131T120000Z"])]
 UnixTime = Annotated[float | None, Query(ge=0, le=1e11, description="Unix time in seconds.")]
 FileName = Annotated[str, Query(min_length=1, max_length=255, description="The file's name, which becomes the title.")]
@@ -80,12 +82,13 @@ async def get_flights(
     """The library: one page of the flights that were asked for, newest first unless another order is."""
     wanted = FlightQuery(text, tag, board, from_s, to_s, sort, order == "desc", (page - 1) * per_page, per_page)
     rows, total = await flights.search(wanted)
-    tags, boards = await flights.words()
+    tags, boards, unnamed = await flights.words()
     return FlightList(
         flights=[_flight(row, flights, mirror) for row in rows],
         total=total,
         tags=tags,
         boards=boards,
+        unnamed=unnamed[:_MOST_UNNAMED],
         indexing=[job.told for job in flights.jobs.all() if job.kind in ("pack", "index") and not job.is_over],
         disk=await _disk(flights),
         aircraft=await flights.aircraft.now(),

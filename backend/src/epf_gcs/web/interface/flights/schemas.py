@@ -74,13 +74,15 @@ class Flight(Output):
 
 class FlightList(Output):
     """One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
-    whole library; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is
-    called, empty for no name."""
+    whole library; `unnamed` are files among the recordings whose names are no flight's, which an import makes flights;
+    `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is called, empty
+    for no name."""
 
     flights: list[Flight]
     total: int
     tags: list[str]
     boards: list[str]
+    unnamed: list[str]
     indexing: list[Job]
     disk: FlightDisk
     aircraft: str
