@@ -8,7 +8,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stderr
 from pathlib import Path
 
 import pytest
@@ -123,25 +123,34 @@ def pid_of(part: Part) -> int | None:
     return None if part.process is None else part.process.pid
 
 
-@pytest.mark.parametrize("name", ["flight", "web"])
-def test_one_that_hangs_without_dying_is_killed_and_started_again(
-    name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    words = {"flight": "flying", "web": "listening"}
-    said = ""
+@contextmanager
+def errors_in(path: Path) -> Iterator[None]:
+    """What this process and those that it starts write as errors goes to a file, which can be read meanwhile."""
+    kept = os.dup(2)
+    with path.open("a") as file, redirect_stderr(file):
+        os.dup2(file.fileno(), 2)
+        try:
+            yield
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
 
-    def says(times: int) -> bool:
-        nonlocal said
-        said += capfd.readouterr().err
-        return said.count(words[name]) == times
+
+@pytest.mark.parametrize("name", ["flight", "web"])
+def test_one_that_hangs_without_dying_is_killed_and_started_again(name: str, tmp_path: Path) -> None:
+    word = {"flight": "flying", "web": "listening"}[name]
+    errors = tmp_path / "errors.txt"
+
+    def said(what: str) -> int:
+        return errors.read_text().count(f"event={what} ")
 
     port = ["--port", "0"] if name == "web" else []
-    command = [sys.executable, "-m", f"epf_gcs.{name}", "--data-dir", str(tmp_path), "--with-parent", *port]
-    with watched(name, command) as part:
-        eventually(lambda: says(1), "it runs")
+    command = [sys.executable, "-m", f"epf_gcs.{name}", "--data-dir", str(tmp_path / "data"), "--with-parent", *port]
+    with errors_in(errors), watched(name, command) as part:
+        eventually(lambda: said(word) == 1, "it runs")
         first = pid_of(part)
         assert first is not None
         os.kill(first, signal.SIGSTOP)
-        eventually(lambda: says(2), "it runs again")
+        eventually(lambda: said(word) == 2, "it runs again")
         assert pid_of(part) != first
-    assert said.count(f"the {name} process hangs and is killed") == 1
+    assert errors.read_text().count(f"the {name} process hangs and is killed") == 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import random
 import re
 import struct
@@ -113,6 +114,35 @@ def test_a_file_that_grows_behind_damage_is_read_on(path: Path) -> None:
     with path.open("ab") as file:
         file.write(body[half:])
     assert read + heard(reader.items()) == said
+
+
+class Growing(io.FileIO):
+    """A file of a flight in the air: the rest of it is written right after it was first read to its end."""
+
+    def __init__(self, path: Path, rest: bytes) -> None:
+        super().__init__(path)
+        self._path, self._rest = path, rest
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        data = super().read(size) or b""
+        if self._rest and self.tell() == self._path.stat().st_size:
+            with self._path.open("ab") as file:
+                file.write(self._rest)
+            self._rest = b""
+        return data
+
+
+@pytest.mark.parametrize("cut", [1, 8, 30, 200])
+def test_a_record_that_becomes_whole_while_it_is_read_is_not_passed_over(path: Path, cut: int) -> None:
+    said = lines(40)
+    body = plain(said)[0]
+    half = len(plain(said[:20])[0]) + cut
+    path.write_bytes(body[:half])
+    reader = Reader(path)
+    with Growing(path, body[half:]) as file:
+        reader.file = file
+        assert heard(reader.items()) + heard(reader.items()) == said
+    assert reader.damage is None
 
 
 def test_a_damaged_time_is_taken_from_the_other_one(path: Path) -> None:

@@ -26,17 +26,21 @@ _WINDOW_BYTES: Final = 4 << 20
 _BEYOND_BYTES: Final = 1 << 20
 
 
-def next_record(file: BinaryIO, place: int) -> int | None:
-    """The offset of the next record from `place` on that has whole records behind it; None if there is none."""
+def next_record(file: BinaryIO, place: int, end: int | None = None) -> int | None:
+    """The offset of the next record from `place` on that has whole records behind it; None if there is none.
+
+    Nothing from `end` on is looked at: what a flight in the air has written since is no proof of damage before it.
+    """
+    most = _WINDOW_BYTES + _BEYOND_BYTES
     while True:
         file.seek(place)
-        data = file.read(_WINDOW_BYTES + _BEYOND_BYTES)
+        data = file.read(most if end is None else max(0, min(most, end - place)))
         for found in _FIRST.finditer(data):
             if found.start() >= _WINDOW_BYTES:
                 break
             if _is_followed(data, found.start()):
                 return place + found.start()
-        if len(data) < _WINDOW_BYTES + _BEYOND_BYTES:
+        if len(data) < most:
             return None
         place += _WINDOW_BYTES
 

@@ -170,19 +170,20 @@ class Parts:
             self.place = begun + found.end
             need = found.need
             if len(data) < size or found.stop == "damage" or (found.stop == "zeros" and not need):
-                if not self._skip(file, found, goes_on):
+                if not self._skip(file, found, goes_on, begun + len(data)):
                     yield from self._cut_chunk(data[found.end :], begun + found.end)
                     return
                 need = 0
 
-    def _skip(self, file: BinaryIO, found: ScanResult, goes_on: int | None) -> bool:
-        """Go on at the next record behind what is none; False if there is no more."""
+    def _skip(self, file: BinaryIO, found: ScanResult, goes_on: int | None, end: int) -> bool:
+        """Go on at the next record behind what is none; False if there is no more. `end`: of what was read."""
         is_blank = found.stop == "zeros" and not found.need
         if is_blank and (zeros := zeros_to_end(file, self.place)) is not None:
             self._tell(f"the file ends in {zeros} zero bytes")
             return False
         if found.stop != "damage":
-            goes_on = next_record(file, self.place + 1)
+            # A record that was half there when it was read may be whole by now.
+            goes_on = next_record(file, self.place + 1, None if is_blank else end)
         if goes_on is not None:
             self._skipped.append((self.place, goes_on - self.place))
             self.place = goes_on
