@@ -100,8 +100,10 @@ describe("an alarm that recovered before anybody acknowledged it", () => {
   test("is counted beside alarms that take all the room, and is acknowledged with the rest", async () => {
     const station = opened(aStatus({ alarms: [ENDED, LOW, SLOW] }));
     const more = within(strip()).getByRole("button", {
-      name: "Ver la lista: 1 alarma terminada sin reconocer",
+      name: "1 terminada sin reconocer: ver la lista",
     });
+    // Who speaks to the computer says what is seen.
+    expect(more.getAttribute("aria-label")).toContain(more.textContent);
     await user.click(more);
     expect(station.page.settings.getState().choices["tab"]).toBe("alarms");
     await user.click(within(strip()).getByRole("button", { name: "Reconocer todas" }));
