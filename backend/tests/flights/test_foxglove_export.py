@@ -14,8 +14,9 @@ from jsonschema import Draft202012Validator
 from mcap.reader import make_reader
 
 from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.flights.export.foxglove_messages import quaternions
+from epf_gcs.flights.export.foxglove_messages import poses, quaternions
 from epf_gcs.flights.export.foxglove_schemas import LEVELS, LOCATION_FIX_SCHEMA, LOG_SCHEMA, POSE_SCHEMA, Schema
+from epf_gcs.formats.samples import Samples
 from epf_gcs.recordings.notes import EVENT, IDENTITY, MARK, PARAMETERS
 from tests.codec.streams import mixed_frames
 from tests.flights.flown_flights import WAYPOINTS, indexed, recording
@@ -84,6 +85,14 @@ def test_poses_are_metres_from_the_start_and_attitudes(found: Found) -> None:
         # The flown circles bank 20 degrees to the right, with the nose 3 degrees up.
         assert forward[2] == pytest.approx(np.sin(np.radians(3.0)), abs=1e-4)
         assert left[2] == pytest.approx(np.sin(np.radians(20.0)) * np.cos(np.radians(3.0)), abs=1e-4)
+
+
+def test_poses_stay_beside_each_other_over_the_date_line() -> None:
+    longitude_deg = np.array([179.9999, -179.9999])
+    known, unknown = np.zeros(2), np.full(2, np.nan)
+    line = [Samples(np.array([1.0, 2.0]), known, longitude_deg, known, known, known, known, unknown, unknown)]
+    ((_, messages),) = poses("flight", [line])
+    assert orjson.loads(messages[1])["pose"]["position"] == {"x": pytest.approx(22.239, abs=0.001), "y": 0.0, "z": 0.0}
 
 
 @pytest.mark.parametrize(

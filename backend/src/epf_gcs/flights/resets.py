@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.flight_data import FlightData, read_field
+from epf_gcs.flights.over_ground import steps_m
 from epf_gcs.units import M_PER_FT, MPS_PER_KT
 from epf_gcs.vehicle.simulator_motion import FASTEST_RATIO, JUMP_M
 
@@ -39,9 +39,7 @@ def resets(flight: FlightData) -> list[Reset]:
     t_s, latitude, longitude, altitude_ft, speed_kt = (
         one[known] for one in (t_s, latitude, longitude, altitude_ft, speed_kt)
     )
-    north_m = np.diff(latitude) * M_PER_DEG
-    east_m = ((np.diff(longitude) + 180.0) % 360.0 - 180.0) * M_PER_DEG * np.cos(np.radians(latitude[:-1]))
-    way_m = np.sqrt(north_m**2 + east_m**2 + (np.diff(altitude_ft) * M_PER_FT) ** 2)
+    way_m = np.hypot(steps_m(latitude, longitude), np.diff(altitude_ft) * M_PER_FT)
     fastest_m_s = FASTEST_RATIO * MPS_PER_KT * np.maximum(np.nan_to_num(speed_kt[1:]), 0.0)
     places = np.flatnonzero(way_m > JUMP_M + fastest_m_s * np.diff(t_s))
     return [

@@ -9,10 +9,10 @@ from typing import Final
 import numpy as np
 
 from epf_gcs.contract.flights import Thumbnail
-from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.breaks import Span, motion_breaks, parts
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData, read_field
+from epf_gcs.flights.over_ground import steps_m
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.flight_summary import FlightSummary
@@ -101,9 +101,7 @@ def _distance_nm(place: tuple[Array, Array, Array, Array], breaks: list[Span]) -
 
 
 def _way_m(t_s: Array, latitude_deg: Array, longitude_deg: Array) -> float:
-    north_m = np.diff(latitude_deg) * M_PER_DEG
-    east_deg = (np.diff(longitude_deg) + 180.0) % 360.0 - 180.0
-    step_m = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(latitude_deg[:-1])))
+    step_m = steps_m(latitude_deg, longitude_deg)
     elapsed_s = np.diff(t_s)
     flown = (elapsed_s <= _LONGEST_STEP_S) & (step_m <= np.maximum(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s))
     return float(step_m[flown].sum())

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Final
 
 import numpy as np
 import numpy.typing as npt
 import orjson
 
-from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.events import Event
-from epf_gcs.flights.export.flown import FlownLine, Source
+from epf_gcs.flights.export.flown import Source
 from epf_gcs.flights.export.foxglove_schemas import LEVELS
 from epf_gcs.flights.export.spread import Rows, Times
+from epf_gcs.flights.over_ground import offsets_m
 from epf_gcs.flights.report.words import words
 from epf_gcs.formats.kml_words import Language
+from epf_gcs.formats.samples import Samples
 from epf_gcs.recordings.scan import Places
 
 Batches = Iterator[tuple[Places, list[bytes]]]
@@ -28,7 +29,7 @@ _SAID: Final = ("id", "text", "level", "active", "acknowledged", "event")
 _ROWS: Final = 512
 
 
-def locations(source: Source, lines: Sequence[FlownLine]) -> Batches:
+def locations(source: Source, lines: Iterable[Iterable[Samples]]) -> Batches:
     """`foxglove.LocationFix` of each point of the track."""
     for line in lines:
         for samples in line:
@@ -37,20 +38,20 @@ def locations(source: Source, lines: Sequence[FlownLine]) -> Batches:
             yield t_ns, [_location(source, *place) for place in places]
 
 
-def poses(source: Source, lines: Sequence[FlownLine]) -> Batches:
+def poses(source: Source, lines: Iterable[Iterable[Samples]]) -> Batches:
     """`foxglove.PoseInFrame` of each point of the track whose attitude is known."""
-    origin: npt.NDArray[np.float64] | None = None
+    origin: list[npt.NDArray[np.float64]] = []
     for line in lines:
         for samples in line:
-            place = np.stack(samples[1:4], axis=1)
-            if origin is None:
-                origin = place[0]
-            north_east_up = (place - origin) * (M_PER_DEG, M_PER_DEG * np.cos(np.radians(origin[0])), 1.0)
+            latitude_deg, longitude_deg, altitude_m = samples[1:4]
+            origin = origin or [column[:1] for column in samples[1:4]]
+            north_m, east_m = offsets_m(latitude_deg, longitude_deg, *origin[:2])
+            place_m = np.stack((east_m, north_m, altitude_m - origin[2]), axis=1)
             attitude = np.stack(samples[4:7], axis=1)
             known = np.isfinite(attitude).all(axis=1)
             if known.any():
                 t_ns = _in_ns(samples.t_s)[known]
-                yield t_ns, _poses(source, t_ns, north_east_up[known][:, (1, 0, 2)], attitude[known])
+                yield t_ns, _poses(source, t_ns, place_m[known], attitude[known])
 
 
 def poses_in_place(source: Source, attitudes: Iterator[tuple[Times, Rows]]) -> Batches:

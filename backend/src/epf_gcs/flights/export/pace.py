@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from epf_gcs.earth import M_PER_DEG
+from epf_gcs.flights import over_ground
 from epf_gcs.formats.samples import Samples
 
 Column = npt.NDArray[np.float64]
@@ -44,10 +44,7 @@ def pace(path: Path, lines: list[tuple[int, int]]) -> None:
 
 def steps_m(rows: Column) -> Column:
     """The way over the ground between each two rows of `Samples`."""
-    north_m = np.diff(rows[:, _LATITUDE]) * M_PER_DEG
-    east_deg = (np.diff(rows[:, _LONGITUDE]) + 180.0) % 360.0 - 180.0
-    found: Column = np.hypot(north_m, east_deg * M_PER_DEG * np.cos(np.radians(rows[:-1, _LATITUDE])))
-    return found
+    return over_ground.steps_m(rows[:, _LATITUDE], rows[:, _LONGITUDE])
 
 
 def _pace(rows: Column) -> None:

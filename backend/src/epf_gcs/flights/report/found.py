@@ -7,8 +7,8 @@ from typing import Final
 import numpy as np
 
 from epf_gcs.contract.report import NoManoeuvres, ReportLeg, ReportManoeuvre, ReportTrace
-from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.over_ground import offsets_m, steps_m
 from epf_gcs.flights.report.manoeuvres import (
     Leg,
     Loop,
@@ -156,8 +156,7 @@ def _across_m(leg: Leg, place: Place, signals: PlanSignals) -> Series | None:
     if not np.isfinite(towards) or not np.isfinite(away_m) or away_m < _NEAR_M:
         return None
     latitude, longitude = place.latitude_deg[first:last], place.longitude_deg[first:last]
-    north_m = (latitude - latitude[0]) * M_PER_DEG
-    east_m = (longitude - longitude[0]) * M_PER_DEG * np.cos(np.radians(latitude[0]))
+    north_m, east_m = offsets_m(latitude, longitude, latitude[:1], longitude[:1])
     course = np.radians(towards)
     return Series(place.t_s[first:last], east_m * np.cos(course) - north_m * np.sin(course))
 
@@ -166,9 +165,7 @@ def _flown_m(place: Place, from_s: float, to_s: float) -> float | None:
     first, last = np.searchsorted(place.t_s, (from_s, to_s))
     if last - first < 2:
         return None
-    latitude, longitude = place.latitude_deg[first:last], place.longitude_deg[first:last]
-    east_m = np.diff(longitude) * M_PER_DEG * np.cos(np.radians(latitude[:-1]))
-    return float(np.hypot(np.diff(latitude) * M_PER_DEG, east_m).sum())
+    return float(steps_m(place.latitude_deg[first:last], place.longitude_deg[first:last]).sum())
 
 
 def _across_trace(across: Series, at_s: float) -> ReportTrace:
