@@ -7,19 +7,18 @@ equal; what is found counts only with whole records behind it.
 from __future__ import annotations
 
 import re
-from struct import Struct
 from typing import BinaryIO, Final
 
 from mcap.opcode import Opcode
 
-_HEAD: Final = Struct("<BQ")
+from epf_gcs.recordings.scan import HEAD, KNOWN
+
 _MESSAGE: Final = re.compile(rb"\x05.{3}\x00{5}.{6}(.{8})\1", re.DOTALL)
 # A message, a note (with its name's length), or the end of the data.
 _FIRST: Final = re.compile(
     rb"(?=\x05.{3}\x00{5}.{6}(.{8})\1|\x0c.{3}\x00{5}.{2}\x00\x00|\x0f\x04\x00{7})",
     re.DOTALL,
 )
-_KNOWN: Final = frozenset(int(opcode) for opcode in Opcode)
 _RECORDS: Final = 3
 _WINDOW_BYTES: Final = 4 << 20
 # Three records are in it, so the longest of them is about a third.
@@ -27,9 +26,9 @@ _BEYOND_BYTES: Final = 1 << 20
 
 
 def next_record(file: BinaryIO, place: int, end: int | None = None) -> int | None:
-    """The offset of the next record from `place` on that has whole records behind it; None if there is none.
+    """Where the next record begins, at `place` or later: the first that whole records follow. None if there is none.
 
-    Nothing from `end` on is looked at: what a flight in the air has written since is no proof of damage before it.
+    The search stops at `end`, because what a flight in the air has written since is no proof of damage before it.
     """
     most = _WINDOW_BYTES + _BEYOND_BYTES
     while True:
@@ -48,13 +47,13 @@ def next_record(file: BinaryIO, place: int, end: int | None = None) -> int | Non
 def _is_followed(data: bytes, at: int) -> bool:
     """Whether whole records stand one behind the other from here on."""
     for _ in range(_RECORDS):
-        if at + _HEAD.size > len(data):
+        if at + HEAD.size > len(data):
             return False
-        opcode, length = _HEAD.unpack_from(data, at)
+        opcode, length = HEAD.unpack_from(data, at)
         is_message = opcode == Opcode.MESSAGE
-        if opcode not in _KNOWN or (is_message and _MESSAGE.match(data, at) is None):
+        if opcode not in KNOWN or (is_message and _MESSAGE.match(data, at) is None):
             return False
-        at += _HEAD.size + length
+        at += HEAD.size + length
         if at > len(data):
             return False
     return True

@@ -176,7 +176,10 @@ class Parts:
                 need = 0
 
     def _skip(self, file: BinaryIO, found: ScanResult, goes_on: int | None, end: int) -> bool:
-        """Go on at the next record behind what is none; False if there is no more. `end`: of what was read."""
+        """Leave out bytes that are no record and go on at the next one. False if no record follows.
+
+        `end` is where the bytes that were read end.
+        """
         is_blank = found.stop == "zeros" and not found.need
         if is_blank and (zeros := zeros_to_end(file, self.place)) is not None:
             self._tell(f"the file ends in {zeros} zero bytes")

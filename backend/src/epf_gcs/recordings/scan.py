@@ -28,7 +28,7 @@ _TIME_AT: Final = HEAD.size + 6
 _LONG: Final = 1 << 16
 # The share of messages whose two times may differ by damage.
 _MOST_MENDED: Final = 0.05
-_KNOWN: Final = frozenset(int(opcode) for opcode in Opcode)
+KNOWN: Final = frozenset(int(opcode) for opcode in Opcode)
 _FIRST_PRIVATE: Final = 0x80  # records of other programs, which a reader steps over
 
 Stop = Literal["end", "cut", "zeros", "damage"]
@@ -58,7 +58,7 @@ class ScanResult(NamedTuple):
 
     @property
     def last(self) -> int:
-        """Where the last record begins; `end` if there is none."""
+        """Where the last record begins, or `end` if no record was found."""
         begins = [int(self.messages[-1])] if len(self.messages) else []
         begins += [self.others[-1].start - HEAD.size] if self.others else []
         return max(begins, default=self.end)
@@ -159,7 +159,7 @@ class _Walk:
         opcode, length = HEAD.unpack_from(self._view, at)
         if opcode == 0 and length == 0:
             return self._ended(at, 0, "zeros" if not self._data[at:].any() else "damage")
-        is_known = opcode in _KNOWN or opcode >= _FIRST_PRIVATE
+        is_known = opcode in KNOWN or opcode >= _FIRST_PRIVATE
         if not is_known or length > self._longest or (opcode == Opcode.MESSAGE and length < MESSAGE_FIELDS):
             return self._ended(at, 0, "damage")
         if HEAD.size + length > rest:
