@@ -22,7 +22,6 @@ from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.findings import Language
 from epf_gcs.launcher.keeping import backup as write_backup
 from epf_gcs.launcher.keeping import restore as read_backup
-from epf_gcs.system.priority import be_nice, read_last
 
 _Folder = Annotated[
     Path,
@@ -65,12 +64,9 @@ def doctor(
     data_dir: FolderMeant,
     port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The page's TCP port.")] = 8000,
     language: Annotated[Language, typer.Option(help="Of what it says.")] = "en",
-    as_json: Annotated[bool, typer.Option("--json", help="For programs, of the lowest priority.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="For programs.")] = False,
 ) -> None:
     """Look for what keeps the station from working here, and say what mends it. Ends with 1 if something does."""
-    if as_json:
-        be_nice()
-        read_last()
     found = [replace(one, language=language) for one in findings(data_dir, port)]
     if as_json:
         print(json.dumps([{"state": one.state, "what": one.what, "mend": one.mend} for one in found]))
