@@ -59,7 +59,7 @@ def write(asked: ExportRequest, target: Path, aside: Path, progress: Progress) -
         streams.append(_Stream("log", LOG_SCHEMA, logs(stretch.events(), asked.language)))
     with target.open("wb") as file:
         output = PackedFile(file, _LIBRARY, _contents(streams), _LEVEL)
-        for name, values in flight_facts(asked.recording, asked.span_ns(stretch.start_ns)[1]).items():
+        for name, values in flight_facts(asked.recording, stretch.last_ns).items():
             output.note(name, metadata_record(name, values))
         if not _merge([stream.batches for stream in streams], output):
             raise stretch_empty()

@@ -24,7 +24,10 @@ ROWS: Final = 8192
 
 
 class Stretch:
-    """Raises ConflictError if the flight has no columns, NotFoundError for a topic that it has not, OSError."""
+    """The asked part of a flight: it began at `start_ns`, and the part ends with `last_ns` (both Unix ns).
+
+    Raises ConflictError if the flight has no columns, NotFoundError for a topic that it has not, OSError.
+    """
 
     def __init__(self, asked: ExportRequest, progress: Progress) -> None:
         folder = Places(asked.recording.parent.parent).made_of(asked.flight)
@@ -37,7 +40,7 @@ class Stretch:
         self.folder = folder
         self.start_ns = summary.started_ns
         self.is_whole = asked.is_whole
-        self._first_ns, self._last_ns = asked.span_ns(self.start_ns)
+        self._first_ns, self.last_ns = asked.span_ns(self.start_ns)
         self._progress = progress
         there = sorted(path.stem for path in folder.glob("*.parquet") if path.stem != KEYFRAMES)
         for topic in asked.topics or ():
@@ -59,7 +62,7 @@ class Stretch:
         """What happened in the stretch, in order of time; also what nothing came of."""
         path = self.path(EVENTS)
         found = read_events(path) if path.exists() else []
-        return [event for event in found if self._first_ns <= event.t_ns <= self._last_ns]
+        return [event for event in found if self._first_ns <= event.t_ns <= self.last_ns]
 
     def expect(self, topics: Sequence[str], base: float = 0.0, share: float = 1.0) -> None:
         """These topics are read next: the progress goes from `base` on by `share` while they are."""
@@ -85,7 +88,7 @@ class Stretch:
         if self.is_whole:
             return batch
         t_ns = batch.column("t_ns").to_numpy()
-        inside = (t_ns >= self._first_ns) & (t_ns <= self._last_ns)
+        inside = (t_ns >= self._first_ns) & (t_ns <= self.last_ns)
         return batch if inside.all() else batch.filter(pa.array(inside))
 
     def _touches(self, group: Any) -> bool:
@@ -93,7 +96,7 @@ class Stretch:
         for index in range(group.num_columns):
             column = group.column(index)
             if column.path_in_schema == "t_ns" and column.statistics is not None and column.statistics.has_min_max:
-                return bool(column.statistics.max >= self._first_ns and column.statistics.min <= self._last_ns)
+                return bool(column.statistics.max >= self._first_ns and column.statistics.min <= self.last_ns)
         return True
 
     def _count(self, rows: int) -> None:

@@ -64,7 +64,7 @@ def _pieces(asked: ExportRequest, stretch: Stretch, tracks: dict[Source, list[Fl
                     for source, lines in tracks.items()
                 ],
             )
-    noted = plans_at(notes_of(asked.recording), asked.span_ns(stretch.start_ns)[1])
+    noted = plans_at(notes_of(asked.recording), stretch.last_ns)
     titles = {"flight": words.plan, "hil": words.hil_plan}
     document = flight_document(
         title,
