@@ -6,10 +6,12 @@ import io
 import random
 import re
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from epf_gcs.recordings.limits import LIMITS
 from epf_gcs.recordings.mcap_file import message_record, opening
 from epf_gcs.recordings.reading import Reader, read_file, walk
 from epf_gcs.recordings.scan import PAYLOAD_AT
@@ -76,6 +78,17 @@ def test_of_a_file_with_200_changed_bytes_all_but_the_changed_messages_are_read(
         assert recording.messages.t_ns.max() <= said[-1][1], "no changed time makes the flight longer"
         assert left_out(recording.damage) < 0.01 * len(whole)
         assert recording.is_whole
+
+
+def test_damage_all_over_a_file_costs_no_more_memory_than_the_file(path: Path) -> None:
+    said = lines(3000)
+    body, end = plain(said)
+    damaged = bytearray(body + end)
+    for one in said[100::10]:
+        damaged[body.index(one[2]) - PAYLOAD_AT + 2] ^= 0x01
+    path.write_bytes(damaged)
+    recording = read_file(path, limits=replace(LIMITS, whole_bytes=len(damaged)))
+    assert said_by(recording) == said[:100] + [one for place, one in enumerate(said[100:]) if place % 10]
 
 
 @pytest.mark.parametrize("rubbish", [*RUBBISH, bytes(5000), b"\x05" * 3000])

@@ -20,6 +20,8 @@ _FIRST: Final = re.compile(
     re.DOTALL,
 )
 _RECORDS: Final = 3
+# The next record is mostly near.
+_NEAR_BYTES: Final = 1 << 16
 _WINDOW_BYTES: Final = 4 << 20
 # Three records are in it, so the longest of them is about a third.
 _BEYOND_BYTES: Final = 1 << 20
@@ -30,18 +32,19 @@ def next_record(file: BinaryIO, place: int, end: int | None = None) -> int | Non
 
     The search stops at `end`, because what a flight in the air has written since is no proof of damage before it.
     """
-    most = _WINDOW_BYTES + _BEYOND_BYTES
+    window = _NEAR_BYTES
     while True:
+        most = window + _BEYOND_BYTES
         file.seek(place)
         data = file.read(most if end is None else max(0, min(most, end - place)))
         for found in _FIRST.finditer(data):
-            if found.start() >= _WINDOW_BYTES:
+            if found.start() >= window:
                 break
             if _is_followed(data, found.start()):
                 return place + found.start()
         if len(data) < most:
             return None
-        place += _WINDOW_BYTES
+        place, window = place + window, _WINDOW_BYTES
 
 
 def _is_followed(data: bytes, at: int) -> bool:

@@ -37,6 +37,7 @@ from epf_gcs.recordings.scan import (
 from epf_gcs.recordings.topics import TOPICS
 
 _BLOCK_BYTES: Final = 4 << 20
+_BEHIND_DAMAGE_BYTES: Final = 1 << 14
 _LATEST_NS: Final = (1 << 63) - 1
 _CHANNEL: Final = Struct("<HHI")
 _NUMBERS: Final = {topic: number for number, topic in TOPICS.items()}
@@ -150,20 +151,23 @@ class Parts:
     def _parts(self, file: BinaryIO) -> Iterator[Part]:
         if self.place == 0 and not self._begins(file):
             return
-        need = 0
+        need, usual = 0, self.block_bytes
         while not self.is_whole:
             file.seek(self.place)
             # With the head behind a long record, which says whether the length was right.
-            size = max(self.block_bytes, need + HEAD.size)
+            size = max(usual, need + HEAD.size)
             data = file.read(size)
             block = np.frombuffer(data, dtype=np.uint8)
             begun = self.place
+            usual = min(2 * usual, self.block_bytes)
             found = scan(block, max(self.limits.record_bytes, self.limits.chunk_bytes))
             goes_on = None
             if found.stop == "damage":
                 goes_on = next_record(file, begun + found.last + 1)
                 if goes_on is not None and goes_on < begun + found.end:
                     found = found.without_last()
+                # The rest of the block is read again, so that it is not kept.
+                block = block[: found.end].copy()
             if (yield from self._stretch(block, found, begun)):
                 self._check_end(file)
                 return
@@ -173,7 +177,8 @@ class Parts:
                 if not self._skip(file, found, goes_on, begun + len(data)):
                     yield from self._cut_chunk(data[found.end :], begun + found.end)
                     return
-                need = 0
+                # Where there is damage there is often more: whole blocks would be read again and again.
+                need, usual = 0, min(_BEHIND_DAMAGE_BYTES, self.block_bytes)
 
     def _skip(self, file: BinaryIO, found: ScanResult, goes_on: int | None, end: int) -> bool:
         """Leave out bytes that are no record and go on at the next one. False if no record follows.
