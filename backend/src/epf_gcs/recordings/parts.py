@@ -16,6 +16,7 @@ from mcap.records import Metadata
 from numpy.typing import NDArray
 
 from epf_gcs.recordings.chunks import chunk_begins, read_head, unpack
+from epf_gcs.recordings.damage_log import DamageLog
 from epf_gcs.recordings.ending import ending, zeros_to_end
 from epf_gcs.recordings.limits import LIMITS, Limits, RecordingError
 from epf_gcs.recordings.mcap_file import MAGIC
@@ -83,8 +84,7 @@ class Parts:
         self.topics: dict[int, str] = {}
         self._with_chunks = with_chunks
         self._numbers = np.zeros(1 << 16, dtype=np.uint16)  # our number of each channel of the file, 0 if none of ours
-        self._damage: dict[str, int] = {}
-        self._skipped: list[tuple[int, int]] = []  # place and bytes of what is no record
+        self._damage = DamageLog()
         self._count = self._note_count = self._unpacked = 0
         self._foreign = 0
         self._last_ns = 0
@@ -94,17 +94,7 @@ class Parts:
     @property
     def damage(self) -> str | None:
         """What could not be read so far, in sentences; None if nothing was damaged."""
-        damage = dict(self._damage)
-        if self._skipped:
-            left_out, first = sum(size for _, size in self._skipped), self._skipped[0][0]
-            sentence = f"{left_out} bytes are no records and were left out, the first at byte {first}"
-            damage[sentence] = len(self._skipped)
-        if not damage:
-            return None
-        return " ".join(
-            f"{sentence[0].upper()}{sentence[1:]}{f' ({count} times)' if count > 1 else ''}."
-            for sentence, count in damage.items()
-        )
+        return self._damage.sentences
 
     def skip_to(self, place: int) -> None:
         """Continue at this record of the file. The channels are learnt from the file's first records."""
@@ -115,7 +105,6 @@ class Parts:
                 if self.topics:
                     break
             self._damage.clear()
-            self._skipped.clear()
             self._count = self._note_count = self._unpacked = self._foreign = 0
             self.is_whole = False
         self.place = place
@@ -187,16 +176,16 @@ class Parts:
         """
         is_blank = found.stop == "zeros" and not found.need
         if is_blank and (zeros := zeros_to_end(file, self.place)) is not None:
-            self._tell(f"the file ends in {zeros} zero bytes")
+            self._damage.tell(f"the file ends in {zeros} zero bytes")
             return False
         if found.stop != "damage":
             # A record that was half there when it was read may be whole by now.
             goes_on = next_record(file, self.place + 1, None if is_blank else end)
         if goes_on is not None:
-            self._skipped.append((self.place, goes_on - self.place))
+            self._damage.leave_out(self.place, goes_on - self.place)
             self.place = goes_on
         elif found.stop == "damage" or is_blank:
-            self._tell(f"byte {self.place} begins no record, what follows it was not read")
+            self._damage.tell(f"byte {self.place} begins no record, what follows it was not read")
         return goes_on is not None
 
     def _begins(self, file: BinaryIO) -> bool:
@@ -263,9 +252,9 @@ class Parts:
             if other.opcode == Opcode.CHANNEL:
                 self._learn_channel(data, other)
         if damage is not None:
-            self._tell(damage)
+            self._damage.tell(damage)
         elif found.stop != "end":
-            self._tell("a chunk holds something that is no record")
+            self._damage.tell("a chunk holds something that is no record")
         messages, _ = self._messages(data, found.messages)
         if len(messages.channel) or not is_cut:
             yield Part(messages, [], place, True)
@@ -280,7 +269,7 @@ class Parts:
         channel = self._numbers[channels_of(data, at)]
         times, mended = mended_times(data, at)
         if mended:
-            self._tell("a message has two times, the likelier one was taken", mended)
+            self._damage.tell("a message has two times, the likelier one was taken", mended)
         possible = times <= _LATEST_NS
         kept = (channel > 0) & possible
         chosen = None
@@ -288,7 +277,7 @@ class Parts:
             chosen = kept
             self._foreign += int(np.count_nonzero(channel == 0))
             if not possible.all():
-                self._tell(
+                self._damage.tell(
                     "a message has a time that no clock gives, it was left out", int(np.count_nonzero(~possible))
                 )
             at, channel, times = at[kept], channel[kept], times[kept]
@@ -319,7 +308,7 @@ class Parts:
         try:
             metadata = Metadata.read(ReadDataStream(BytesIO(body)))
         except (error, ValueError, EndOfFile):
-            self._tell("a note cannot be read")
+            self._damage.tell("a note cannot be read")
             return []
         # A note of an earlier version of the station has no time of its own: it is from after the message before it.
         return [read(metadata.name, metadata.metadata) or Note(self._last_ns, metadata.name, dict(metadata.metadata))]
@@ -330,7 +319,7 @@ class Parts:
             channel, _, length = _CHANNEL.unpack_from(body)
             topic = body[_CHANNEL.size : _CHANNEL.size + length].decode()
         except (error, UnicodeDecodeError):
-            self._tell("a channel cannot be read")
+            self._damage.tell("a channel cannot be read")
             return
         number = _NUMBERS.get(topic)
         if number is None or self._numbers[channel] == number:
@@ -344,11 +333,8 @@ class Parts:
         self.topics[number] = topic
         self._numbers[channel] = number
 
-    def _tell(self, sentence: str, count: int = 1) -> None:
-        self._damage[sentence] = self._damage.get(sentence, 0) + count
-
     def _check_end(self, file: BinaryIO) -> None:
         end = ending(file, self.place)
         self.is_whole = end.is_whole
         if end.has_more:
-            self._tell("the file goes on after its end, what follows was not read")
+            self._damage.tell("the file goes on after its end, what follows was not read")
