@@ -156,6 +156,21 @@ export class Station {
     if (result.state !== "confirmed") throw new Error(`${name}: ${JSON.stringify(result)}`);
   }
 
+  /** Alarms come by these limits (0: there is none), and end when they are taken away: nobody has acknowledged them. */
+  async leaveEndedAlarms(limits: Readonly<Record<string, number>>): Promise<void> {
+    const ids = Object.keys(limits).map((name) => name.replace(/_[a-z]+$/, ""));
+    const areAll = async (hasEnded: boolean): Promise<true | undefined> => {
+      const alarms: { id: string; until_s: number | null }[] = (await this.status()).alarms;
+      const isSo = (id: string): boolean => alarms.some((one) => one.id === id && (one.until_s !== null) === hasEnded);
+      return ids.every(isSo) || undefined;
+    };
+    await this.request("PUT", "alarms/thresholds", limits);
+    await until("alarms", async () => await areAll(false));
+    const none = Object.fromEntries(Object.keys(limits).map((name) => [name, 0]));
+    await this.request("PUT", "alarms/thresholds", none);
+    await until("the alarms' end", async () => await areAll(true));
+  }
+
   // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
   async status(): Promise<any> {
     return await this.request("GET", "status");

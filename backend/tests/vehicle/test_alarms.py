@@ -91,8 +91,18 @@ async def test_an_alarm_that_recovered_stays_listed_until_somebody_has_seen_it()
     assert world.kept == [recovered, known]
     assert world.outlet.events[-1] == ("battery_low", False, True)
     assert world.heard == [("came", "battery_low"), ("went", "battery_low"), ("acknowledged", "battery_low")]
-    with pytest.raises(NotFoundError):
-        world.alarms.acknowledge("battery_low")
+
+
+async def test_who_acknowledges_what_is_acknowledged_hears_that_it_is_and_nothing_is_told_again() -> None:
+    world = World()
+    world.goes_wrong("battery_low")
+    world.alarms.look(1.0)
+    world.goes_wrong()
+    world.alarms.look(2.0)
+    known = world.alarms.acknowledge("battery_low")
+    told, kept = list(world.outlet.events), list(world.kept)
+    assert world.alarms.acknowledge("battery_low") == known
+    assert (world.outlet.events, world.kept, world.alarms.past) == (told, kept, [known])
 
 
 async def test_an_alarm_that_was_acknowledged_before_it_went_is_not_listed_any_more() -> None:

@@ -141,10 +141,14 @@ class Alarms:
     def acknowledge(self, name: str) -> Alarm:
         """The operator has seen it: an active alarm is shown quietly until it ends, a recovered one is removed.
 
-        Raises NotFoundError if it is neither.
+        The second of two presses finds it acknowledged, and is answered alike. Raises NotFoundError if it is neither
+        active nor recovered nor of the acknowledged past.
         """
         alarm = next((alarm for alarm in self.active if alarm.finding.id == name), None)
         if alarm is None:
+            known_before = next((one for one in self.past if one.finding.id == name and one.acknowledged), None)
+            if known_before is not None:
+                return known_before
             raise NotFoundError(
                 "alarm_not_active",
                 f"There is no active alarm '{name}': it went, or there is none of this name. "

@@ -179,10 +179,13 @@ def test_everybody_who_looks_is_told_that_the_certificate_cannot_be_renewed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(keeper_module, "LOOK_EVERY_S", 0.05)
-    data = tmp_path / "data"
+    data, folder, file = (tmp_path / name for name in ("data", "folder", "file"))
+    data.mkdir()
+    folder.mkdir()
+    (data / "tls").symlink_to(folder)
+    file.write_bytes(b"what is put where the folder was")
     with running_gateway(data, tls=True) as gateway, gateway.stream() as stream:
-        (data / "tls").rename(data / "away")
-        (data / "tls").write_bytes(b"a file where the folder was")
+        file.replace(data / "tls")  # In one step: the keeper never looks in between.
         told = stream.event("error")
         assert (told["code"], told["params"]["folder"]) == ("tls_not_renewed", str(data / "tls"))
         assert gateway.http.get("/access/certificates").json()["fault"]["code"] == "tls_not_renewed"

@@ -100,7 +100,7 @@ describe("an alarm that recovered before anybody acknowledged it", () => {
   test("is counted beside alarms that take all the room, and is acknowledged with the rest", async () => {
     const station = opened(aStatus({ alarms: [ENDED, LOW, SLOW] }));
     const more = within(strip()).getByRole("button", {
-      name: "1 terminada sin reconocer: ver la lista",
+      name: "+1 terminada sin reconocer: ver la lista",
     });
     // Who speaks to the computer says what is seen.
     expect(more.getAttribute("aria-label")).toContain(more.textContent);

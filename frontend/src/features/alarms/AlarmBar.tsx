@@ -61,7 +61,8 @@ export function AlarmBar({ isBesidePast = false }: { readonly isBesidePast?: boo
       )}
       {hiddenEnded > 0 && (
         <Button onPress={showList} label={t("alarmLog.moreEnded", { count: hiddenEnded })}>
-          {t("alarmLog.moreEndedShort", { count: hiddenEnded })}
+          {/* Beside those that have a place the number alone is plain, and leaves them room in a narrow window. */}
+          {t(alarms.length > 0 ? "alarmLog.moreEndedShort" : "alarmLog.moreShort", { count: hiddenEnded })}
         </Button>
       )}
       {open.length + ended.length > 1 && (
