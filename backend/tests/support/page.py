@@ -100,6 +100,8 @@ def page(
     address = f"ws://{url.netloc.decode()}{path}"
     with connect(address, sock=through, additional_headers=headers, max_size=None) as connection:
         made = Page(connection, base, headers)
+        # A page of which nothing was heard yet only loads: to the station its line is not cut, whatever the test does.
+        assert connection.ping().wait(DEADLINE_S), "the station does not answer"
         try:
             yield made
         finally:

@@ -10,7 +10,9 @@ from typing import Final, Literal, Protocol
 from epf_gcs.access.changes import Page
 
 LOOK_EVERY_S: Final = 0.1
-_PING_EVERY: Final = 2
+# One ping for each silence: a line that was cut brings it when it stands again. More of them would all be answered at
+# once then, and who sends that many frames at once is closed.
+_PING_AT: Final = 2
 # 0.7 s: with the time until the next look and the way back, control is free a second after a line was cut.
 _LINE_LOOKS: Final = 7
 # 2 s, when the throttle is closed, too: until then a page is only slow, for its browser answers.
@@ -61,7 +63,7 @@ class Watch:
             self._heard, self._quiet_looks = line.heard, 0
         else:
             self._quiet_looks += 1
-            if self._quiet_looks % _PING_EVERY == 0:
+            if self._quiet_looks == _PING_AT:
                 line.ping()
         if line.said != self._said or not line.is_waited_for:
             self._said, self._hung_looks = line.said, 0
