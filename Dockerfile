@@ -21,7 +21,7 @@ RUN npm run build
 FROM docker.io/library/gcc:12-bookworm AS board
 WORKDIR /station/firmware
 COPY firmware/ ./
-RUN make board-static
+RUN make board-static laws
 
 # Python with the one library of the system that the wheels expect and the slim image lacks: GDAL's reading of rasters.
 FROM docker.io/library/python:3.11-slim-bookworm AS base
@@ -51,6 +51,7 @@ COPY frontend/package-lock.json frontend/
 COPY frontend/scripts/mapData.json frontend/scripts/
 COPY --from=page /station/frontend/dist frontend/dist
 COPY --from=board /station/firmware/build/static/epf-board firmware/build/static/epf-board
+COPY --from=board /station/firmware/build/posix/libepf-flight.so firmware/build/posix/libepf-flight.so
 COPY packaging/container/slim.py packaging/container/
 RUN apt-get update && apt-get install -y --no-install-recommends binutils && rm -rf /var/lib/apt/lists/*
 # Seconds since 1970 for all that stamps a time; the same ones give the same files.

@@ -80,15 +80,15 @@ frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
 	@touch $@
 
 board: $(DONE)/tools ## build the board's firmware for this machine
-	@$(MAKE) --no-print-directory -C firmware board
+	@$(MAKE) --no-print-directory -C firmware board laws
 
 # The board's program of another processor needs its compiler: on Debian, gcc-aarch64-linux-gnu.
 PLATFORM ?= $(shell uname -m)
 OUT ?= dist
 wheel: $(DONE)/venv frontend/dist/index.html ## one file in dist/ that installs the whole station, without Node and without a compiler; PLATFORM=aarch64, or none: without a board's program
-	@if [ $(PLATFORM) = "$$(uname -m)" ]; then $(MAKE) --no-print-directory -C firmware board-static; \
+	@if [ $(PLATFORM) = "$$(uname -m)" ]; then $(MAKE) --no-print-directory -C firmware board-static laws; \
 	elif [ $(PLATFORM) != none ]; then \
-	  $(MAKE) --no-print-directory -C firmware board-static BUILD=build/$(PLATFORM) CC=$(PLATFORM)-linux-gnu-gcc; fi
+	  $(MAKE) --no-print-directory -C firmware board-static laws BUILD=build/$(PLATFORM) CC=$(PLATFORM)-linux-gnu-gcc; fi
 	@$(BIN)/python .ci/wheel.py . $(OUT) $(PLATFORM)
 	@ls $(OUT)/*.whl
 

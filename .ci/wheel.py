@@ -31,6 +31,8 @@ import shipped
 PAGE: Final = Path("frontend/dist")
 BUILT: Final = Path("firmware/build")
 PROGRAM: Final = Path("static/epf-board")
+# The board's laws, which the lab loads. It needs the C library of the system: a computer whose is older than 2022 says so.
+LAWS: Final = Path("posix/libepf-flight.so")
 # The texts of the page's packages, which the About window links.
 LICENCES: Final = "licences.txt"
 BILL: Final = "epf-gcs.cdx.json"
@@ -60,6 +62,7 @@ def stage(root: Path, folder: Path, board: Path | None) -> None:
     target = product / "board" / "posix"
     target.mkdir(parents=True)
     shutil.copy2(root / board, target / "epf-board")
+    shutil.copy2(root / board.parents[1] / LAWS, target / LAWS.name)
     for name in shipped.IN_BOARD:
         shutil.copy2(root / shipped.THIRD_PARTY / name / "LICENSE.md", target.parent / f"licence-{name}.txt")
 

@@ -19,6 +19,8 @@ from tests.support.fake_board import FakeBoard
 from tests.support.firmware import lacking_for_images, make
 from tests.support.gateway import Gateway, running_gateway
 
+pytest_plugins = ("pytester",)
+
 # For the programs that tests start; this one has loaded it.
 EQUAL_PRIORITY = str(Path(equal_priority.__file__).parent)
 # A worker of the run inherits the path from its parent, which has done the same.

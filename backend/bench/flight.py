@@ -7,15 +7,12 @@ flies all four routes, 2 h 50 min of simulated time.
 from __future__ import annotations
 
 from bench.table import Row, table
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
-from board_tests.closed_loop.figures import Figures, measure, settling_s
 from board_tests.closed_loop.manoeuvres import (
     CLIMB,
     FASTER,
     TURN,
     climb_error_ft,
     cruise,
-    fly_route,
     speed_error_kt,
     step,
     turn_error_deg,
@@ -33,12 +30,13 @@ from board_tests.closed_loop.reference import (
     TURN_SETTLING_S,
     WITHIN,
 )
-from epf_gcs.codec.messages_gen import ROUTES
-from epf_gcs.simulator.link import LinkQuality
-from epf_gcs.simulator.simulation import SimulationOptions
+from epf_gcs.lab.closed_loop import Sample
+from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.figures import settling_s
+from epf_gcs.lab.flight import fly
+from epf_gcs.lab.routes import route
 
 _SHORT_ROUTES = ("gando", "vuelo")
-_LONGEST_SHARE = 1.3  # share of the reference time after which a flight is given up as lost
 _STEP_S = 90.0
 
 
@@ -81,33 +79,33 @@ def _flown(index: int) -> list[Sample]:
 
 def _route(name: str) -> list[Row]:
     reference = ROUTE_REFERENCES[name]
-    figures = _figures(name, SimulationOptions())
+    flight = fly(route(name), Conditions())
     reached = Row(
         f"{name}: waypoints",
-        figures.waypoints_reached,
+        flight.waypoints_reached,
         "",
         f"{reference.waypoints}",
-        figures.waypoints_reached == reference.waypoints,
+        flight.waypoints_reached == reference.waypoints,
     )
     circuit = name == "gando"
     return [
         reached,
-        _beside(f"{name}: time", figures.time_s, "s", reference.time_s),
+        _beside(f"{name}: time", flight.time_s, "s", reference.time_s),
         Row(
             f"{name}: steady altitude error, rms",
-            figures.altitude_rms_ft,
+            flight.altitude.settled.rms_ft,
             "ft",
             f"<= {ALTITUDE_LIMIT_FT:g}",
-            figures.altitude_rms_ft <= ALTITUDE_LIMIT_FT,
+            flight.altitude.settled.rms_ft <= ALTITUDE_LIMIT_FT,
             reference.altitude_rms_ft,
             "reference" if reference.altitude_rms_ft is not None else "",
         ),
         Row(
             f"{name}: cross-track, rms",
-            figures.cross_track_rms_m,
+            flight.cross_track.rms_m,
             "m",
             f"<= {CROSS_TRACK_LIMIT_M:g}" if circuit else "",
-            figures.cross_track_rms_m <= CROSS_TRACK_LIMIT_M if circuit else None,
+            flight.cross_track.rms_m <= CROSS_TRACK_LIMIT_M if circuit else None,
             reference.cross_track_rms_m,
             "reference" if reference.cross_track_rms_m is not None else "",
         ),
@@ -117,33 +115,27 @@ def _route(name: str) -> list[Row]:
 def _bad_links() -> list[Row]:
     """Flights over bad links, all of which must succeed; at 250 ms round trip the control laws are known to fail."""
     links = {
-        "200 ms round trip": LinkQuality(delay_ms=100.0),
-        "5 % of frames lost": LinkQuality(loss=0.05),
-        "20 % of frames lost": LinkQuality(loss=0.2),
+        "200 ms round trip": Conditions(round_trip_ms=200.0),
+        "5 % of frames lost": Conditions(loss_percent=5.0),
+        "20 % of frames lost": Conditions(loss_percent=20.0),
     }
     rows = []
-    for what, link in links.items():
-        figures = _figures("gando", SimulationOptions(link=link))
+    for what, conditions in links.items():
+        flight = fly(route("gando"), conditions)
         clean = (
-            figures.waypoints_reached == ROUTE_REFERENCES["gando"].waypoints
-            and figures.altitude_rms_ft <= ALTITUDE_LIMIT_FT
+            flight.waypoints_reached == ROUTE_REFERENCES["gando"].waypoints
+            and flight.altitude.settled.rms_ft <= ALTITUDE_LIMIT_FT
         )
         rows.append(
             Row(
                 f"gando, {what}: cross-track, rms",
-                figures.cross_track_rms_m,
+                flight.cross_track.rms_m,
                 "m",
                 f"<= {CROSS_TRACK_LIMIT_M:g}",
-                clean and figures.cross_track_rms_m <= CROSS_TRACK_LIMIT_M,
+                clean and flight.cross_track.rms_m <= CROSS_TRACK_LIMIT_M,
             )
         )
     return rows
-
-
-def _figures(name: str, options: SimulationOptions) -> Figures:
-    with ClosedLoop(options) as loop:
-        samples = fly_route(loop, name, ROUTE_REFERENCES[name].time_s * _LONGEST_SHARE)
-        return measure(samples, ROUTES[name].waypoints)
 
 
 def _beside(what: str, ours: float, unit: str, reference: float) -> Row:

@@ -16,9 +16,10 @@ from typing import Any, Final
 import httpx
 
 from bench.table import Row
-from board_tests.closed_loop.figures import RouteEnd, measure
 from board_tests.closed_loop.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES
 from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.lab.figures import RouteEnd, measure
+from epf_gcs.lab.truth import Truth
 from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port
 from tests.support.firmware import make
 
@@ -63,7 +64,7 @@ def run() -> list[Row]:
             flown_s = samples[-1].time_s - samples[0].time_s
             is_over = end.reached(samples[-1]) or flown_s > LONGEST_SHARE * reference.time_s
             time.sleep(SAMPLE_S)
-    figures = measure(samples, route)
+    figures = measure(Truth.of(samples), route)
     cuts = statistics.quantiles(trips_ms, n=100)
     what = "image under QEMU, gando"
     return [
@@ -77,17 +78,17 @@ def run() -> list[Row]:
         Row(f"{what}: time", figures.time_s, "s", peer=reference.time_s, peer_name="reference"),
         Row(
             f"{what}: steady altitude error, rms",
-            figures.altitude_rms_ft,
+            figures.altitude.settled.rms_ft,
             "ft",
             f"<= {ALTITUDE_LIMIT_FT:g}",
-            figures.altitude_rms_ft <= ALTITUDE_LIMIT_FT,
+            figures.altitude.settled.rms_ft <= ALTITUDE_LIMIT_FT,
         ),
         Row(
             f"{what}: cross-track, rms",
-            figures.cross_track_rms_m,
+            figures.cross_track.rms_m,
             "m",
             f"<= {CROSS_TRACK_LIMIT_M:g}",
-            figures.cross_track_rms_m <= CROSS_TRACK_LIMIT_M,
+            figures.cross_track.rms_m <= CROSS_TRACK_LIMIT_M,
         ),
         Row(f"{what}: HIL round trip p50", cuts[49], "ms", f"<= {P50_LIMIT_MS:g}", cuts[49] <= P50_LIMIT_MS),
         Row(f"{what}: HIL round trip p99", cuts[98], "ms", f"<= {ROW_PERIOD_MS:g}", cuts[98] <= ROW_PERIOD_MS),

@@ -7,8 +7,8 @@ import pickle
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
 from board_tests.closed_loop.manoeuvres import fly_route
+from epf_gcs.lab.closed_loop import ClosedLoop, Sample
 from epf_gcs.simulator.simulation import SimulationOptions
 
 CALM: Final = SimulationOptions()

@@ -6,9 +6,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Final, Self
 
-from board_tests.closed_loop.closed_loop import LIBRARY, Sample
-from board_tests.closed_loop.figures import rms
 from board_tests.closed_loop.sensors import Samples, SensorModel
+from epf_gcs.lab.closed_loop import Sample
+from epf_gcs.lab.figures import rms
+from epf_gcs.lab.laws import library as laws_library
 from epf_gcs.simulator.state import FlightState
 
 GYRO, ACCELEROMETER, MAGNETOMETER, STATIC_PRESSURE, PITOT = SENSORS = tuple(range(5))
@@ -67,8 +68,7 @@ class Estimator:
     """The board's estimator, knowing nothing yet."""
 
     def __init__(self) -> None:
-        assert LIBRARY.exists(), f"{LIBRARY} is missing: build it with `make -C firmware flight-lib`"
-        library = ctypes.CDLL(str(LIBRARY))
+        library = ctypes.CDLL(str(laws_library()))
         library.epf_estimation_new.restype = ctypes.c_void_p
         library.epf_estimation_new.argtypes = ()
         library.epf_estimation_free.argtypes = (ctypes.c_void_p,)

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final
 
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
-from board_tests.closed_loop.figures import RouteEnd
 from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.lab.closed_loop import ClosedLoop, Sample
+from epf_gcs.lab.figures import RouteEnd
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import AIRPORT_LATITUDE_DEG, AIRPORT_LONGITUDE_DEG, RUNWAY_HEADING_DEG
 

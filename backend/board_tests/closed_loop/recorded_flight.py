@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
-from board_tests.closed_loop.closed_loop import ClosedLoop
 from epf_gcs.codec.encode import encode_command
+from epf_gcs.lab.closed_loop import ClosedLoop
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED
 from epf_gcs.simulator.simulation import SimulationOptions
 from tests.flights.flown_flights import indexed

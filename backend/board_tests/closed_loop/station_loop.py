@@ -7,12 +7,12 @@ import asyncio
 from collections.abc import Callable, Mapping
 from typing import Any, Final, Self
 
-from board_tests.closed_loop.closed_loop import Firmware
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.stick import Stick
+from epf_gcs.lab.laws import Laws
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.simulator.simulation import Simulation, SimulationOptions
 from epf_gcs.simulator.state import FlightState
@@ -34,7 +34,7 @@ class _Line:
     baud = _BAUD
     backlog = 0
 
-    def __init__(self, firmware: Firmware) -> None:
+    def __init__(self, firmware: Laws) -> None:
         self._firmware = firmware
         self.waiting = b""
 
@@ -73,7 +73,7 @@ class StationLoop:
         self.pace = pace
         self.crashes: list[str] = []
         self.simulation = Simulation(options, self.crashes.append)
-        self._firmware = Firmware(1.0 / options.rate_hz)
+        self._firmware = Laws(1.0 / options.rate_hz)
         self._line = _Line(self._firmware)
         self._clock = HeldClock(0.0)
         self._period_s = 1.0 / options.rate_hz

@@ -16,11 +16,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from board_tests.closed_loop.closed_loop import Sample
 from board_tests.closed_loop.recorded_flight import RecordedLoop
 from epf_gcs.contract.report import ReportManoeuvre
 from epf_gcs.earth import M_PER_DEG
 from epf_gcs.flights.report.making import make
+from epf_gcs.lab.closed_loop import Sample
 from epf_gcs.recordings.places import Places
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import RUNWAY_HEADING_DEG, Situation, Turbulence, Wind

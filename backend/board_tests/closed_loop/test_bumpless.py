@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
+from epf_gcs.lab.closed_loop import ClosedLoop, Sample
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.xplane.datagram import Record, build
 

@@ -8,8 +8,8 @@ import math
 import pytest
 
 from board_tests.closed_loop.circuit import LONGEST_S, Circuit
-from board_tests.closed_loop.closed_loop import Sample
 from board_tests.closed_loop.estimation import NO_GAP, Error, Gap, estimate_flight, root_mean_squares
+from epf_gcs.lab.closed_loop import Sample
 
 STRAIGHT = Gap(200.0, 210.0)
 TURNING = Gap(60.0, 70.0)

@@ -1,40 +1,32 @@
 """The Gando circuit with the board's own C code, default gains, in lock-step.
 
-What the figures mean is defined in `figures.py`.
+What the figures mean is defined in `epf_gcs/lab/figures.py`.
 """
 
+from __future__ import annotations
+
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
-from board_tests.closed_loop.circuit import CALM, LONGEST_S, Circuit
-from board_tests.closed_loop.closed_loop import ClosedLoop
-from board_tests.closed_loop.figures import Figures, measure
+from board_tests.closed_loop.circuit import CALM, Circuit
 from board_tests.closed_loop.manoeuvres import fly_route
 from board_tests.closed_loop.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES, WITHIN
-from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.lab.closed_loop import ClosedLoop
+from epf_gcs.lab.plugin import Lab
 from epf_gcs.simulator.link import LinkQuality
-from epf_gcs.simulator.simulation import SimulationOptions
-from epf_gcs.simulator.situation import Situation, Start, Turbulence, Wind
+from epf_gcs.simulator.situation import Situation, Turbulence, Wind
 
-GANDO = ROUTES["gando"].waypoints
 WINDY = Situation(wind=Wind(330.0, 20.0), turbulence=Turbulence.MODERATE)
 
 
-def figures_of(options: SimulationOptions) -> Figures:
-    with ClosedLoop(options) as loop:
-        samples = fly_route(loop, "gando", LONGEST_S)
-        assert loop.crashes == []
-        return measure(samples, GANDO)
-
-
-def test_the_whole_circuit_is_flown_within_the_limits(circuit: Circuit) -> None:
-    figures = measure(circuit.samples, GANDO)
-    assert circuit.crashes == []
-    assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
-    assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
-    assert figures.time_s < ROUTE_REFERENCES["gando"].time_s * WITHIN
+def test_the_whole_circuit_is_flown_within_the_limits(lab: Lab) -> None:
+    flight = lab.fly("gando")
+    assert flight.captured_honestly == 8
+    assert flight.altitude.settled.rms_ft < ALTITUDE_LIMIT_FT
+    assert flight.cross_track.rms_m < CROSS_TRACK_LIMIT_M
+    assert flight.time_s < ROUTE_REFERENCES["gando"].time_s * WITHIN
 
 
 def test_the_same_seed_gives_the_same_bytes(circuit: Circuit) -> None:
@@ -58,36 +50,25 @@ def test_in_turbulence_over_a_bad_link_the_seed_decides_every_byte() -> None:
     assert bytes_of(8) != first
 
 
-@pytest.mark.parametrize(
-    "link",
-    [
-        pytest.param(LinkQuality(delay_ms=100.0), id="200 ms round trip"),
-        pytest.param(LinkQuality(loss=0.05), id="5 % lost"),
-    ],
-)
-def test_a_worse_link_changes_nothing_that_shows(link: LinkQuality) -> None:
-    figures = figures_of(replace(CALM, link=link))
-    assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
-    assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
+@pytest.mark.parametrize("link", [{"round_trip_ms": 200.0}, {"loss_percent": 5.0}])
+def test_a_worse_link_changes_nothing_that_shows(lab: Lab, link: dict[str, Any]) -> None:
+    flight = lab.fly("gando", **link)
+    assert flight.captured_honestly == 8
+    assert flight.altitude.settled.rms_ft < ALTITUDE_LIMIT_FT
+    assert flight.cross_track.rms_m < CROSS_TRACK_LIMIT_M
 
 
-def test_the_circuit_is_flown_in_20_kt_of_wind_with_turbulence() -> None:
-    figures = figures_of(replace(CALM, situation=WINDY))
-    assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < 30.0
-    assert figures.cross_track_rms_m < 100.0
+def test_the_circuit_is_flown_in_20_kt_of_wind_with_turbulence(lab: Lab) -> None:
+    flight = lab.fly("gando", wind_kt=20, wind_from_deg=330, turbulence="moderate")
+    assert flight.captured_honestly == 8
+    assert flight.altitude.settled.rms_ft < 30.0
+    assert flight.cross_track.rms_m < 100.0
 
 
-def test_the_circuit_is_flown_from_a_standing_start_on_the_runway() -> None:
+def test_the_circuit_is_flown_from_a_standing_start_on_the_runway(lab: Lab) -> None:
     # The pilot opens the throttle; the autopilot, on from the first moment, does the rest.
-    standing = replace(CALM, situation=Situation(start=Start.RUNWAY), throttle=1.0)
-    with ClosedLoop(standing) as loop:
-        samples = fly_route(loop, "gando", LONGEST_S)
-        assert samples[0].state.on_ground
-        assert samples[0].state.speed_ground_kt < 1.0
-        assert loop.crashes == []
-        figures = measure(samples, GANDO)
-    assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
-    assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
+    flight = lab.fly("gando", start="runway")
+    assert flight.truth.altitude_ft[0] < 80.0
+    assert flight.captured_honestly == 8
+    assert flight.altitude.settled.rms_ft < ALTITUDE_LIMIT_FT
+    assert flight.cross_track.rms_m < CROSS_TRACK_LIMIT_M

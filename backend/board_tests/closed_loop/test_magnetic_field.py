@@ -5,8 +5,8 @@ import math
 from collections.abc import Iterator
 from typing import Final
 
-from board_tests.closed_loop.closed_loop import LIBRARY
 from board_tests.closed_loop.sensors import Vector, reference_field_nt
+from epf_gcs.lab.laws import library as laws_library
 
 # The horizontal field that a compass needs; the model's authors warn of less.
 USABLE_NT: Final = 6000.0
@@ -20,7 +20,7 @@ class _Vector(ctypes.Structure):
 
 def board_field_nt(latitude_deg: float, longitude_deg: float) -> Vector:
     """North, east and down as the board computes them."""
-    library = ctypes.CDLL(str(LIBRARY))
+    library = ctypes.CDLL(str(laws_library()))
     library.epf_magnetic_field.argtypes = (ctypes.c_float, ctypes.c_float, ctypes.POINTER(_Vector))
     field = _Vector()
     library.epf_magnetic_field(latitude_deg, longitude_deg, ctypes.byref(field))

@@ -11,8 +11,8 @@ from typing import Final
 
 import pytest
 
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
 from board_tests.closed_loop.manoeuvres import CLIMB, TURN, cruise, step
+from epf_gcs.lab.closed_loop import ClosedLoop, Sample
 from epf_gcs.simulator.simulation import Simulation, SimulationOptions
 from epf_gcs.simulator.situation import AIRPORT_LATITUDE_DEG, Situation, Start
 from epf_gcs.xplane.datagram import Record, build

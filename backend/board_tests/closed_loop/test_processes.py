@@ -13,12 +13,13 @@ from typing import Any
 import httpx
 import pytest
 
-from board_tests.closed_loop.closed_loop import LIBRARY, ClosedLoop
+from epf_gcs.lab.closed_loop import ClosedLoop
+from epf_gcs.lab.laws import library
 from epf_gcs.simulator.simulation import SimulationOptions
 from tests.support.ports import free_port
 from tests.support.waiting import DEADLINE_S
 
-BOARD = LIBRARY.with_name("epf-board")
+BOARD = library().with_name("epf-board")
 LOOPBACK = "127.0.0.1"
 FRAMES = 5000  # 100 simulated seconds: past the first waypoint
 

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from board_tests.closed_loop.circuit import LONGEST_S, Circuit
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
-from board_tests.closed_loop.figures import RouteEnd, split
 from epf_gcs.codec.messages_gen import ROUTES
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.lab.closed_loop import ClosedLoop, Sample
+from epf_gcs.lab.figures import RouteEnd, split
+from epf_gcs.lab.truth import Truth
 from epf_gcs.rehearsal.flight_model import Start, SteadyWind
 from epf_gcs.rehearsal.flown_plan import SAMPLE_S, fly, metres
 from epf_gcs.simulator.simulation import SimulationOptions
@@ -55,21 +56,22 @@ def differences(
     )
     flown = fly(waypoints, 0, start, wind)
     found = []
-    for real, model in zip(split(samples, waypoints), flown.legs, strict=True):
+    for real, model in zip(split(Truth.of(samples), waypoints), flown.legs, strict=True):
         assert model.end is not None
         if model.samples == 0:
             continue
         begin = next(index for index, sample in enumerate(flown.samples) if sample.row == model.row)
         modelled = flown.samples[begin : begin + model.samples]
         origin = real.begin
-        path = np.array([metres(origin, (at.state.latitude_deg, at.state.longitude_deg)) for at in real.samples[::10]])
+        flown_deg = zip(real.truth.latitude_deg[::10], real.truth.longitude_deg[::10], strict=True)
+        path = np.array([metres(origin, place) for place in flown_deg])
         places = np.array([metres(origin, at[1:3]) for at in modelled])
         apart_m = np.hypot(*(places[:, None] - path[None]).T).min(axis=0).max()
         every = round(SAMPLE_S * 50)
-        altitudes = zip(modelled, real.samples[::every], strict=False)
-        apart_ft = max(abs(one.altitude_ft - other.state.altitude_ft) for one, other in altitudes)
-        took_s = real.samples[-1].time_s - real.samples[0].time_s
-        found.append(((model.end.time_s - model.begin_s) / took_s - 1.0, float(apart_m), apart_ft))
+        altitudes = zip(modelled, real.truth.altitude_ft[::every], strict=False)
+        apart_ft = max(abs(one.altitude_ft - other_ft) for one, other_ft in altitudes)
+        took_s = real.truth.time_s[-1] - real.truth.time_s[0]
+        found.append((float((model.end.time_s - model.begin_s) / took_s - 1.0), float(apart_m), float(apart_ft)))
     return found
 
 

@@ -14,9 +14,9 @@ from typing import Final
 import pytest
 
 from board_tests.closed_loop.circuit import Circuit
-from board_tests.closed_loop.closed_loop import LIBRARY
-from board_tests.closed_loop.figures import rms
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.lab.figures import rms
+from epf_gcs.lab.laws import library as laws_library
 from epf_gcs.xplane.datagram import parse
 from epf_gcs.xplane.gather import Gatherer
 
@@ -59,7 +59,7 @@ def told(circuit: Circuit) -> list[Info]:
 
 def sense(told: list[Info], seed: int, gap_s: tuple[float, float] = (math.inf, math.inf)) -> Errors:
     """Fly the circuit past a board just switched on; its gyro is silent in the gap."""
-    library = ctypes.CDLL(str(LIBRARY))
+    library = ctypes.CDLL(str(laws_library()))
     library.epf_sensing_observe.argtypes = (ctypes.c_char_p, ctypes.c_float)
     library.epf_sensing_step.argtypes = (ctypes.c_float, ctypes.c_uint32, ctypes.c_void_p)
     library.epf_sensing_start(seed)

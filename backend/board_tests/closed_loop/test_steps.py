@@ -4,8 +4,6 @@ from collections.abc import Iterator
 
 import pytest
 
-from board_tests.closed_loop.closed_loop import ClosedLoop
-from board_tests.closed_loop.figures import settling_s
 from board_tests.closed_loop.manoeuvres import (
     CLIMB,
     CRUISE_FT,
@@ -29,6 +27,8 @@ from board_tests.closed_loop.reference import (
     TURN_SETTLING_S,
     WITHIN,
 )
+from epf_gcs.lab.closed_loop import ClosedLoop
+from epf_gcs.lab.figures import settling_s
 
 
 @pytest.fixture

@@ -9,17 +9,17 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from epf_gcs.extras import SIM
 from epf_gcs.simulator.models import AircraftModel
-from epf_gcs.simulator.situation import AIRPORT_ELEVATION_FT, FT_S_PER_KT, Situation, Start, Turbulence
+from epf_gcs.simulator.situation import AIRPORT_ELEVATION_FT, FT_S_PER_KT, Loading, Situation, Start, Turbulence
 from epf_gcs.simulator.state import Controls, FlightState
 
 if TYPE_CHECKING:
-    from jsbsim import FGFDMExec
+    from jsbsim import FGFDMExec, FGPropertyNode
 
 STEP_HZ: Final = 200
 STEP_S: Final = 1.0 / STEP_HZ
@@ -44,11 +44,25 @@ _TURBULENCE: Final = {
 }
 _MILSPEC: Final = 3.0
 
+# The weight that moves the centre of gravity, as a share of the aircraft's. A lighter one would need a longer arm, by
+# which the aircraft would turn more slowly.
+_PAIR: Final = 0.1
+_M_PER_IN: Final = 0.0254
+
 _INTEGRATORS: Final = (
     "simulation/integrator/rate/rotational",
     "simulation/integrator/rate/translational",
     "simulation/integrator/position/rotational",
     "simulation/integrator/position/translational",
+)
+
+_COMMANDED: Final = (
+    "fcs/elevator-cmd-norm",
+    "fcs/aileron-cmd-norm",
+    "fcs/rudder-cmd-norm",
+    "fcs/throttle-cmd-norm",
+    "fcs/left-brake-cmd-norm",
+    "fcs/right-brake-cmd-norm",
 )
 
 _READ: Final = {
@@ -115,6 +129,10 @@ class Airframe:
     ) -> None:
         self._model = model
         self._fdm = _load(model)
+        self._set = [self._node(path).set_double_value for path in _COMMANDED]
+        self._power = situation.loading.control_power
+        if situation.loading.moves_mass:
+            self._load_weights(situation.loading)
         self._begin(situation, motion)
         self._spin_up(controls)
         surfaces = zip(("elevator", "aileron", "rudder"), model.surface_positions, strict=True)
@@ -125,17 +143,15 @@ class Airframe:
 
     def command(self, controls: Controls) -> None:
         """Move the surfaces and the throttle (through the model's own actuators)."""
-        fdm = self._fdm
-        # JSBSim's elevator and rudder have the opposite sign of X-Plane's, the aileron the same.
-        fdm["fcs/elevator-cmd-norm"] = -controls.elevator
-        fdm["fcs/aileron-cmd-norm"] = controls.aileron
-        fdm["fcs/rudder-cmd-norm"] = -controls.rudder
-        fdm["fcs/throttle-cmd-norm"] = controls.throttle
         # No row carries X-Plane's toe brakes, so they are held while the throttle is closed; otherwise an idling
         # propeller would pull a parked aircraft away.
         brake = _BRAKE if controls.throttle < _BRAKE_BELOW_THROTTLE else 0.0
-        fdm["fcs/left-brake-cmd-norm"] = brake
-        fdm["fcs/right-brake-cmd-norm"] = brake
+        # JSBSim's elevator and rudder have the opposite sign of X-Plane's, the aileron the same.
+        power = self._power
+        surfaces = (-controls.elevator * power, controls.aileron * power, -controls.rudder * power)
+        values = (*surfaces, controls.throttle, brake, brake)
+        for put, value in zip(self._set, values, strict=True):
+            put(value)
 
     def step(self, steps: int = 1) -> None:
         """Advance by `steps` times 1/200 s; raises AirframeError if the model fails."""
@@ -187,7 +203,7 @@ class Airframe:
             load_side_g=raw["load_y"],
             alpha_deg=raw["alpha_deg"] if flying else 0.0,
             beta_deg=raw["beta_deg"] if flying else 0.0,
-            track_deg=math.degrees(math.atan2(raw["east_ft_s"], raw["north_ft_s"])) % 360.0 if moving else heading_deg,
+            track_deg=ground_course(raw["north_ft_s"], raw["east_ft_s"], heading_deg),
             path_deg=math.degrees(math.atan2(-raw["down_ft_s"], ground_ft_s)) if moving else 0.0,
             pressure_inhg=raw["pressure_psf"] * _INHG_PER_PSF,
             temperature_degc=(raw["temperature_r"] - _FREEZING_RANKINE) * 5.0 / 9.0,
@@ -195,6 +211,15 @@ class Airframe:
             touching=next((part for part, touches in self._contacts.items() if touches() > 0.0), None),
             surfaces=Controls(-raw["elevator"], raw["aileron"], -raw["rudder"], raw["throttle"]),
         )
+
+    def reader(self, names: Sequence[str]) -> Callable[[], list[float]]:
+        """Reads these quantities of `_READ` in JSBSim's own units, quicker than `state`."""
+        getters = [self._get[name] for name in names]
+        return lambda: [get() for get in getters]
+
+    def touches(self) -> bool:
+        """Whether a part touches the ground that must not."""
+        return any(touches() > 0.0 for touches in self._contacts.values())
 
     def _begin(self, situation: Situation, motion: Motion) -> None:
         fdm = self._fdm
@@ -223,6 +248,19 @@ class Airframe:
         fdm["atmosphere/wind-east-fps"] = wind_east
         self._severity = severity
 
+    def _load_weights(self, loading: Loading) -> None:
+        """A weight at the centre of gravity, and a pair that weighs nothing together and moves it."""
+        if self._model.weights is None:
+            raise AirframeError(f"{self._model.name} has no weights by which its mass could be changed")
+        fdm = self._fdm
+        usual_lb = fdm["inertia/empty-weight-lbs"]
+        pair_lb = _PAIR * usual_lb
+        arm_in = loading.cg_aft_m * loading.mass_factor / _PAIR / _M_PER_IN
+        middle, aft = self._model.weights
+        fdm[f"inertia/pointmass-weight-lbs[{middle}]"] = (loading.mass_factor - 1.0) * usual_lb - pair_lb
+        fdm[f"inertia/pointmass-weight-lbs[{aft}]"] = pair_lb
+        fdm[f"inertia/pointmass-location-X-inches[{aft}]"] = arm_in
+
     def _spin_up(self, controls: Controls) -> None:
         """Run the engine to its steady speed while the aircraft stands still in mid-air.
 
@@ -242,10 +280,20 @@ class Airframe:
         fdm["atmosphere/turbulence/milspec/severity"] = self._severity
 
     def _getter(self, path: str) -> Callable[[], float]:
+        return self._node(path).get_double_value
+
+    def _node(self, path: str) -> FGPropertyNode:
         node = self._fdm.get_property_manager().get_node(path)
         if node is None:
             raise AirframeError(f"JSBSim's {self._model.name} has no property {path}")
-        return node.get_double_value
+        return node
+
+
+def ground_course(north_ft_s: float, east_ft_s: float, heading_deg: float) -> float:
+    """Track over the ground, true, 0..360; the heading of an aircraft that stands."""
+    if math.hypot(north_ft_s, east_ft_s) / FT_S_PER_KT < _TRACK_FROM_KT:
+        return heading_deg
+    return math.degrees(math.atan2(east_ft_s, north_ft_s)) % 360.0
 
 
 def _load(model: AircraftModel) -> FGFDMExec:

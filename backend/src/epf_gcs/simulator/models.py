@@ -40,6 +40,9 @@ class AircraftModel:
     surface_positions: tuple[str, str, str]  # JSBSim's elevator, aileron and rudder, -1..1
     crash_contacts: MappingProxyType[int, str]  # JSBSim contact number -> the part that must not touch
     trim_gains: TrimGains
+    # JSBSim's numbers of two weights that weigh nothing until they are used: one changes the mass, and both the centre
+    # of gravity; None: the model has none.
+    weights: tuple[int, int] | None = None
 
 
 AIRCRAFT: Final = MappingProxyType(
@@ -68,6 +71,7 @@ AIRCRAFT: Final = MappingProxyType(
                     throttle_per_speed=0.02,
                     throttle_integral_s=3.0,
                 ),
+                weights=(0, 1),
             ),
             AircraftModel(
                 name="c172p",

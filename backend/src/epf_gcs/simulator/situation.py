@@ -59,6 +59,24 @@ CALM: Final = Wind(0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
+class Loading:
+    """How this aircraft differs from the one that its model describes.
+
+    `mass_factor` of its mass; centre of gravity further aft by `cg_aft_m`; `control_power`: what share of its usual
+    deflection a surface reaches.
+    """
+
+    mass_factor: float = 1.0
+    cg_aft_m: float = 0.0
+    control_power: float = 1.0
+
+    @property
+    def moves_mass(self) -> bool:
+        """Whether weights have to be put into the aircraft."""
+        return self.mass_factor != 1.0 or self.cg_aft_m != 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Situation:
     """The beginning of a flight and its weather. On final the place is the threshold ahead."""
 
@@ -69,6 +87,7 @@ class Situation:
     wind: Wind = CALM
     turbulence: Turbulence = Turbulence.NONE
     seed: int = 1
+    loading: Loading = Loading()
 
     def place(self) -> tuple[float, float]:
         """Latitude and longitude [deg] of the first instant."""

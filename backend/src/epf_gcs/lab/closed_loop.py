@@ -1,10 +1,11 @@
 """The closed loop in one process: JSBSim, X-Plane's datagrams, command 50, and the board's own C code.
 
-What flies here is what flies in the real processes: the simulator without its socket, the gateway's
-decoders, and `libepf-flight.so`, the firmware's pure part (`make -C firmware flight-lib`).
+What flies here is what flies in the real processes: the simulator without its socket, the gateway's decoders, and the
+firmware's pure part. `lock_step.py` flies the same flight without the datagrams.
 """
 
-import ctypes
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,62 +13,16 @@ from typing import Final, Self
 
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
+from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.laws import FMS_PERIOD_S, FMS_TASK, Laws
 from epf_gcs.simulator.simulation import Simulation, SimulationOptions
 from epf_gcs.simulator.state import FlightState
 from epf_gcs.xplane.datagram import Surfaces, parse, surfaces_datagram
 from epf_gcs.xplane.gather import Gatherer
 from epf_gcs.xplane.mapping import XplaneInfo
 
-LIBRARY: Final = Path(__file__).resolve().parents[3] / "firmware" / "build" / "posix" / "libepf-flight.so"
-
-_FMS_TASK: Final = 1
-_FMS_PERIOD_S: Final = 0.1
-_OUT_BYTES: Final = 16384
-
-
-class Firmware:
-    """The board's pure C in this process: bytes of the line in, bytes out."""
-
-    def __init__(self, hil_period_s: float) -> None:
-        assert LIBRARY.exists(), f"{LIBRARY} is missing: build it with `make -C firmware flight-lib`"
-        library = ctypes.CDLL(str(LIBRARY))
-        library.epf_flight_new.restype = ctypes.c_void_p
-        library.epf_flight_new.argtypes = (ctypes.c_float,)
-        library.epf_flight_free.argtypes = (ctypes.c_void_p,)
-        library.epf_flight_feed.restype = ctypes.c_size_t
-        library.epf_flight_feed.argtypes = (
-            ctypes.c_void_p,
-            ctypes.c_char_p,
-            ctypes.c_size_t,
-            ctypes.c_char_p,
-            ctypes.c_size_t,
-        )
-        library.epf_flight_advance.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
-        library.epf_flight_send_streams.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
-        library.epf_flight_lost_bytes.restype = ctypes.c_size_t
-        library.epf_flight_lost_bytes.argtypes = (ctypes.c_void_p,)
-        self._library = library
-        self._board = library.epf_flight_new(hil_period_s)
-        self._out = ctypes.create_string_buffer(_OUT_BYTES)
-
-    def close(self) -> None:
-        """Free the board."""
-        self._library.epf_flight_free(self._board)
-
-    def feed(self, data: bytes) -> bytes:
-        """Give the board bytes; returns what it sends."""
-        size = self._library.epf_flight_feed(self._board, data, len(data), self._out, _OUT_BYTES)
-        assert self._library.epf_flight_lost_bytes(self._board) == 0
-        return self._out.raw[:size]
-
-    def advance(self, elapsed_ms: int) -> None:
-        """Let time pass; needed between two commands 50 only if the board measures the time of its steps."""
-        self._library.epf_flight_advance(self._board, elapsed_ms)
-
-    def send_streams(self, task: int) -> bytes:
-        """Let one of the board's tasks send its streams; returns them."""
-        self._library.epf_flight_send_streams(self._board, task)
-        return self.feed(b"")
+FIRST_COMMANDS: Final = (("fms_hil_plan_on",), ("autotrim_on",), ("control_source", 1))
+"""What the board is told before a flight: send the plan of HIL, trim by itself, fly the assisted path."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,25 +42,26 @@ class ClosedLoop:
     its pictures again, evenly in the time until the next.
     """
 
-    def __init__(self, options: SimulationOptions, *, measured: bool = False, repeats: int = 0) -> None:
+    def __init__(
+        self, options: SimulationOptions, *, measured: bool = False, repeats: int = 0, library: Path | None = None
+    ) -> None:
         self.crashes: list[str] = []
         self.simulation = Simulation(options, self.crashes.append)
-        self.firmware = Firmware(0.0 if measured else 1.0 / options.rate_hz)
+        self.firmware = Laws(0.0 if measured else 1.0 / options.rate_hz, library)
         self._sent_every_ms = round(1000.0 / options.rate_hz / (1 + repeats)) if measured else 0
         self._repeats = repeats
         self._rate_hz = options.rate_hz
         self._info: XplaneInfo | None = None
         self._gatherer = Gatherer(options.profile)
         self._decoder = FrameDecoder()
-        self._fms_every = round(_FMS_PERIOD_S * options.rate_hz)
+        self._fms_every = round(FMS_PERIOD_S * options.rate_hz)
         self._frames = 0
         self.waypoint = -1
         self.surfaces: Surfaces | None = None
         self.samples: list[Sample] = []
         self.bytes_to_station: list[bytes] = []
-        for command in ("fms_hil_plan_on", "autotrim_on"):
-            self.command(command)
-        self.command("control_source", 1)
+        for name, *values in FIRST_COMMANDS:
+            self.command(name, *values)
 
     def __enter__(self) -> Self:
         return self
@@ -129,7 +85,8 @@ class ClosedLoop:
 
     def pause(self, seconds: float, *, stick_trembles: bool = False) -> None:
         """Pause the simulator: its newest frame goes to the board again and again, and the board's time runs on."""
-        assert self._info is not None, "nothing was flown yet"
+        if self._info is None:
+            raise LabError("nothing was flown yet, so there is no frame that a paused simulator could repeat")
         for frame in range(round(seconds * self._rate_hz)):
             self._tell(self._info._replace(elevator=0.001 * (frame % 3)) if stick_trembles else self._info)
 
@@ -150,7 +107,7 @@ class ClosedLoop:
                     self._tell(info)
         self._frames += 1
         if self._frames % self._fms_every == 0:
-            self._take(self.firmware.send_streams(_FMS_TASK))
+            self._take(self.firmware.send_streams(FMS_TASK))
         self.samples.append(Sample(simulation.time_s, simulation.state, self.waypoint, self.surfaces))
 
     def _take(self, data: bytes) -> None:
@@ -160,11 +117,12 @@ class ClosedLoop:
                 case Frame(message=message) if message.name == "hil_surfaces":
                     self.surfaces = Surfaces(*found.values)
                     datagram = surfaces_datagram(self.surfaces)
-                    assert datagram is not None, f"the board sent {self.surfaces}"
+                    if datagram is None:
+                        raise LabError(f"the board sent surfaces that are no numbers: {self.surfaces}")
                     self.simulation.receive(datagram)
                 case Frame(message=message) if message.name == "fms_hil_plan":
                     self.waypoint = int(found.values[-1])
                 case Frame():
                     pass
                 case Damage():
-                    raise AssertionError(f"the board sent {found}")
+                    raise LabError(f"the board sent {found}")

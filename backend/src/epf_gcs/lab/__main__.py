@@ -1,0 +1,182 @@
+"""`epf-lab`: flies a board's laws in the simulator, once or a thousand times, and says what came of it."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any, Final, NoReturn
+
+import typer
+
+from epf_gcs import __version__
+from epf_gcs.lab import campaign as campaigns
+from epf_gcs.lab.conditions import NAMES, Conditions
+from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.flight import Flight
+from epf_gcs.lab.flight import fly as fly_one
+from epf_gcs.lab.flying import fly_all
+from epf_gcs.lab.routes import route
+from epf_gcs.lab.rows import Results
+
+app = typer.Typer(
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Fly a board's laws in the simulator, once or a thousand times, and say what came of it.",
+)
+
+_INTERRUPTED: Final = 130
+
+Laws = Annotated[Path | None, typer.Option("--laws", help="Shared library of the laws to fly. Usual: this board's.")]
+Folder = Annotated[Path, typer.Argument(help="Folder of a campaign's results.")]
+
+
+def _print_version(asked: bool) -> None:  # noqa: FBT001 - how an option's callback is called
+    if asked:
+        print(f"epf-lab {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def about(
+    *,
+    _version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """Fly a board's laws in the simulator, once or a thousand times, and say what came of it."""
+
+
+@app.command()
+def fly(
+    what: Annotated[str, typer.Argument(metavar="ROUTE", help="gando, vuelo, alternativa, ruta_isla, or a plan file.")],
+    given: Annotated[
+        list[str] | None, typer.Argument(metavar="[NAME=VALUE]...", help="Conditions and gains, as seed=7.")
+    ] = None,
+    laws: Laws = None,
+) -> None:
+    """Fly a route once.
+
+    As in: epf-lab fly gando wind_kt=15 wind_from_deg=250 gains.k_roll=3
+    """
+    values, gains = _read(given or [])
+    flight = fly_one(route(what), Conditions.of(values), gains, laws)
+    print("\n".join(_lines(flight)))
+    if not flight.is_safe:
+        raise typer.Exit(1)
+
+
+@app.command()
+def campaign(
+    file: Annotated[Path, typer.Argument(help="What is flown, in which conditions: a TOML file.")],
+    into: Annotated[Path, typer.Option("--into", help="Folder for the results; one that is begun goes on.")],
+    workers: Annotated[
+        int, typer.Option(min=1, max=256, help="Processes that fly. Usual: one for each core.")
+    ] = os.cpu_count() or 1,
+    laws: Laws = None,
+) -> None:
+    """Fly a route many times, in conditions that are drawn."""
+    wanted = campaigns.read(file)
+    with Results(into, wanted) as results:
+        begun = len(results.rows)
+        if begun:
+            print(f"{begun} of {wanted.flights} flights are there already.")
+        with typer.progressbar(length=wanted.flights - begun, label="Flying", show_pos=True, show_eta=True) as bar:
+            fly_all(wanted, results, workers, laws, lambda _: bar.update(1))
+        results.finish()
+    report(into)
+
+
+@app.command()
+def report(folder: Folder) -> None:
+    """Say what a campaign found."""
+    from epf_gcs.lab.summary import read_rows, summary  # noqa: PLC0415 - loads pyarrow
+
+    found = summary(read_rows(folder))
+    low, high = found.safe.interval()
+    print(f"{found.safe.count} of {found.safe.of} flights are safe: {_percent(found.safe.share)}")
+    print(f"  all such flights, with 95 % certainty: {_percent(low)} to {_percent(high)}")
+    if found.not_flown:
+        print(f"  {found.not_flown} could not be flown; column `error` says why")
+    if found.effects:
+        print("What matters (rank correlation with the distance from the way; safe in its lowest and highest third):")
+    for effect in found.effects:
+        ends = f"{_percent(effect.low.share)} and {_percent(effect.high.share)}"
+        print(f"  {effect.name:16} {effect.correlation:+.2f}   {ends}")
+    print("The worst flights:")
+    for row in found.worst:
+        figure = "-" if row["near_rms_m"] is None else f"{row['near_rms_m']:.1f} m"
+        end = row["lost_by"] or f"{row['captured_honestly']} of {row['waypoints']} waypoints"
+        print(f"  number {row['number']:6}  {figure:>9} off the way   {end}")
+
+
+@app.command()
+def compare(before: Folder, after: Folder) -> None:
+    """Hold two campaigns of the same flights against each other, as of two firmwares."""
+    from epf_gcs.lab import summary  # noqa: PLC0415 - loads pyarrow
+
+    found = summary.compare(summary.read_rows(before), summary.read_rows(after))
+    print(f"{found.pairs} flights in the same conditions")
+    print(f"  safe only after: {found.better}; safe only before: {found.worse} (by chance: {found.by_chance:.3f})")
+    low, high = found.change_interval
+    print(f"  distance from the way, rms: {found.change:+.1f} m ({low:+.1f} to {high:+.1f} with 95 % certainty)")
+
+
+def _read(given: Sequence[str]) -> tuple[dict[str, Any], dict[str, float]]:
+    values: dict[str, Any] = {}
+    gains: dict[str, float] = {}
+    usual = Conditions()
+    for one in given:
+        name, sign, text = one.partition("=")
+        try:
+            if not sign:
+                raise LabError(f"{one!r} is not NAME=VALUE, as wind_kt=15")
+            if name.startswith("gains."):
+                gains[name.removeprefix("gains.")] = float(text)
+            elif name not in NAMES:
+                raise LabError(f"there is no condition {name}: choose of {', '.join(NAMES)}, gains.NAME")
+            else:
+                values[name] = type(getattr(usual, name))(text)
+        except ValueError as error:
+            raise LabError(f"{one!r} is no number") from error
+    return values, gains
+
+
+def _lines(flight: Flight) -> list[str]:
+    figures = flight.figures
+    end = "safe" if flight.is_safe else "NOT SAFE"
+    if flight.upset is not None:
+        end = f"LOST after {flight.upset.time_s:.1f} s: {flight.upset.cause}"
+    reached = f"{flight.captured_honestly} of {len(flight.route.waypoints)} waypoints"
+    altitude = figures.altitude.settled
+    return [
+        f"{flight.route.name}: {end}; {reached}, {figures.time_s:.0f} s",
+        f"  off the leg         {figures.leg.rms_m:6.1f} m rms, {figures.leg.largest_m:.1f} m largest",
+        f"  off the way         {figures.near.rms_m:6.1f} m rms, turns included",
+        f"  altitude            {altitude.rms_ft:6.1f} ft rms, {altitude.largest_ft:.1f} ft largest",
+        f"  indicated airspeed  {figures.airspeed.settled.rms_kt:6.1f} kt rms",
+    ]
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.1f} %"
+
+
+def main() -> NoReturn:
+    """Run; what cannot be done is one sentence."""
+    try:
+        code = app(standalone_mode=False)
+    except LabError as error:
+        print(f"epf-lab: {error}", file=sys.stderr)
+        sys.exit(2)
+    except (KeyboardInterrupt, typer.Abort):
+        print("\nStopped. The same command goes on where it was.", file=sys.stderr)
+        sys.exit(_INTERRUPTED)
+    sys.exit(code or 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,144 @@
+"""What a campaign flies: a file names the route, what is fixed and what is drawn; a number and the seed give a flight.
+
+route = "gando"
+flights = 1000
+seed = 1
+[fixed]
+turbulence = "moderate"
+[drawn]
+wind_kt = { uniform = [0, 25] }
+mass_factor = { normal = [1.0, 0.05] }
+start = { choice = ["air", "runway"] }
+"gains.k_roll" = { uniform = [1.5, 3.0] }
+"""
+
+from __future__ import annotations
+
+import hashlib
+import random
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.routes import Route, route
+
+_GAIN: Final = "gains."
+_KEYS: Final = {"route", "flights", "seed", "fixed", "drawn"}
+_MOST_FLIGHTS: Final = 1_000_000
+# What a normal distribution draws beyond so many deviations is drawn again: no campaign means an aircraft of no mass.
+_DEVIATIONS: Final = 3.0
+_RANGE: Final = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """Where one value comes from: `uniform` between two, `normal` of mean and deviation, or `choice` of some."""
+
+    kind: str
+    values: tuple[Any, ...]
+
+    def value(self, dice: random.Random) -> Any:
+        """The next one."""
+        match self.kind:
+            case "uniform":
+                return dice.uniform(*self.values)
+            case "normal":
+                mean, deviation = self.values
+                while abs(drawn := dice.gauss(0.0, 1.0)) > _DEVIATIONS:
+                    pass
+                return mean + deviation * drawn
+            case _:
+                return dice.choice(self.values)
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """One flight of a campaign, by its number."""
+
+    number: int
+    conditions: Conditions
+    gains: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Campaign:
+    """`text`: the file, which says what was flown beside the results."""
+
+    route: Route
+    flights: int
+    seed: int
+    fixed: Mapping[str, Any]
+    drawn: Mapping[str, Draw]
+    text: str = field(repr=False)
+
+    @property
+    def fingerprint(self) -> str:
+        """Of all that decides its flights."""
+        return hashlib.sha256(f"{self.text}\n{self.route.waypoints}".encode()).hexdigest()
+
+    def order(self, number: int) -> Order:
+        """Flight `number`, from 0: always the same, whoever flies it and in whatever order. Raises LabError."""
+        dice = random.Random(f"{self.seed}/{number}")
+        values = {**self.fixed, **{name: draw.value(dice) for name, draw in self.drawn.items()}}
+        values.setdefault("seed", dice.randrange(2**31))
+        gains = {name.removeprefix(_GAIN): values.pop(name) for name in list(values) if name.startswith(_GAIN)}
+        return Order(number, Conditions.of(values), gains)
+
+
+def read(path: Path) -> Campaign:
+    """Read a campaign's file. Raises LabError with what is wrong in it."""
+    try:
+        text = path.read_text(encoding="utf-8")
+        given = tomllib.loads(text)
+    except OSError as error:
+        raise LabError(f"{path} cannot be read: {error.strerror}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise LabError(f"{path} is no campaign: {error}") from error
+    unknown = given.keys() - _KEYS
+    if unknown:
+        raise LabError(f"{path} has {', '.join(sorted(unknown))}, which a campaign has not: {', '.join(sorted(_KEYS))}")
+    flights, seed = given.get("flights"), given.get("seed", 1)
+    if not isinstance(flights, int) or not 1 <= flights <= _MOST_FLIGHTS or not isinstance(seed, int):
+        raise LabError(f"{path} needs `flights`, 1 to {_MOST_FLIGHTS}, and `seed`, a whole number")
+    wanted = str(given.get("route", "gando"))
+    # A plan is looked for beside the campaign that names it.
+    beside = path.parent / wanted
+    campaign = Campaign(
+        route(beside if beside.is_file() else wanted),
+        flights,
+        seed,
+        _table(given, "fixed"),
+        {name: _draw(name, one) for name, one in _table(given, "drawn").items()},
+        text,
+    )
+    twice = campaign.fixed.keys() & campaign.drawn.keys()
+    if twice:
+        raise LabError(f"{', '.join(sorted(twice))} cannot be fixed and drawn")
+    campaign.order(0)
+    return campaign
+
+
+def _table(given: Mapping[str, Any], name: str) -> dict[str, Any]:
+    table = given.get(name, {})
+    if not isinstance(table, dict):
+        raise LabError(f"`{name}` must be a table, as [{name}]")
+    # [fixed.gains] and "gains.k_roll" are the same.
+    gains = table.pop("gains", {})
+    return {**table, **{f"{_GAIN}{key}": value for key, value in gains.items()}}
+
+
+def _draw(name: str, given: Any) -> Draw:
+    if isinstance(given, dict) and len(given) == 1:
+        ((kind, values),) = given.items()
+        if isinstance(values, list) and values:
+            numbers = all(isinstance(value, int | float) for value in values)
+            if kind == "choice" or (kind in ("uniform", "normal") and numbers and len(values) == _RANGE):
+                return Draw(kind, tuple(values))
+    raise LabError(
+        f"{name} must be drawn by one of {{ uniform = [from, to] }}, {{ normal = [mean, deviation] }}, "
+        f"{{ choice = [one, other] }}"
+    )

@@ -1,0 +1,105 @@
+"""One flight of the lab, with all that is judged of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.figures import Airspeed, Altitude, Capture, Distance, Figures, measure
+from epf_gcs.lab.lock_step import LockStep, Upset
+from epf_gcs.lab.routes import Route
+from epf_gcs.lab.truth import Truth
+
+
+@dataclass(frozen=True, slots=True)
+class Flight:
+    """What was flown, in which conditions, and what it comes to: figures of the simulator's truth. `upset`: how it
+    ended before its time; None: its end is the route's, or time was up."""
+
+    route: Route
+    conditions: Conditions
+    gains: Mapping[str, float]
+    truth: Truth
+    figures: Figures
+    upset: Upset | None
+
+    @property
+    def is_safe(self) -> bool:
+        """Whether the aircraft was kept, and was at each waypoint when it counted as captured."""
+        return self.upset is None and self.captured_honestly == len(self.route.waypoints)
+
+    @property
+    def waypoints_reached(self) -> int:
+        """How many waypoints the plan left behind."""
+        return self.figures.waypoints_reached
+
+    @property
+    def captures(self) -> tuple[Capture, ...]:
+        """Where the aircraft was then, of each."""
+        return self.figures.captures
+
+    @property
+    def captured_honestly(self) -> int:
+        """Of how many the aircraft was there, in height too."""
+        return self.figures.captured_honestly
+
+    @property
+    def time_s(self) -> float:
+        """How long it took."""
+        return self.figures.time_s
+
+    @property
+    def cross_track(self) -> Distance:
+        """From the line of the leg, turns included."""
+        return self.figures.cross_track
+
+    @property
+    def leg(self) -> Distance:
+        """From the line of the leg, without its first 10 s."""
+        return self.figures.leg
+
+    @property
+    def near(self) -> Distance:
+        """From this leg or the one before, whichever is nearer."""
+        return self.figures.near
+
+    @property
+    def altitude(self) -> Altitude:
+        """How the altitude was kept."""
+        return self.figures.altitude
+
+    @property
+    def airspeed(self) -> Airspeed:
+        """How the airspeed was kept."""
+        return self.figures.airspeed
+
+    def __str__(self) -> str:
+        """For a failed test: what to fly to see it again, and how it ended."""
+        changed = [f"{name}={getattr(self.conditions, name)!r}" for name in _changed(self.conditions)]
+        changed += [f"{name}={value!r}" for name, value in self.gains.items()]
+        end = f"lost after {self.upset.time_s:.1f} s: {self.upset.cause}" if self.upset else f"{self.time_s:.0f} s"
+        reached = f"{self.captured_honestly} of {len(self.route.waypoints)} waypoints"
+        return f"<flight of {self.route.name} ({', '.join(changed)}): {reached}, {end}>"
+
+    __repr__ = __str__
+
+
+def fly(
+    route: Route, conditions: Conditions, gains: Mapping[str, float] | None = None, library: Path | None = None
+) -> Flight:
+    """Fly a route from its start to its end, in lock-step. Raises LabError if it cannot be flown as asked."""
+    with LockStep(conditions.options(), library) as loop:
+        loop.set_gains(gains or {})
+        for name, values in route.commands():
+            loop.command(name, *values)
+        loop.command("autopilot_on")
+        truth = loop.fly(route.waypoints, route.longest_s())
+        return Flight(route, conditions, dict(gains or {}), truth, measure(truth, route.waypoints), loop.upset)
+
+
+def _changed(conditions: Conditions) -> list[str]:
+    """The seed always, and what else is not as usual."""
+    usual = Conditions()
+    return [n for n in type(usual).__slots__ if n == "seed" or getattr(conditions, n) != getattr(usual, n)]
