@@ -21,7 +21,7 @@ MINUTES ?= 30
 # Modules stay compiled, whatever this computer's habit is: the tests start the station some hundreds of times.
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz fuzz-interface mutate mutate-page run board wheel sdist container docs docs-archive release check-platforms check-workflows bench clean
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz fuzz-interface mutate mutate-page run board wheel wheelhouse deb sdist container docs docs-archive release check-platforms check-workflows bench clean
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -91,6 +91,15 @@ wheel: $(DONE)/venv frontend/dist/index.html ## one file in dist/ that installs 
 	  $(MAKE) --no-print-directory -C firmware board-static laws BUILD=build/$(PLATFORM) CC=$(PLATFORM)-linux-gnu-gcc; fi
 	@$(BIN)/python .ci/wheel.py . $(OUT) $(PLATFORM)
 	@ls $(OUT)/*.whl
+
+# Those of Debian 12 and 13.
+PYTHONS ?= 3.11 3.13
+wheelhouse: wheel ## one archive in dist/ with all wheels, for a computer without internet; PLATFORM=aarch64, PYTHONS="3.12 3.14"
+	@$(BIN)/python .ci/wheelhouse.py . $(OUT) $(PLATFORM) $(PYTHONS)
+	@ls $(OUT)/*-wheels-$(PLATFORM).tar
+
+deb: wheelhouse ## a package in dist/ for Debian 12 and 13, with the service; PLATFORM=aarch64
+	@$(BIN)/python .ci/deb.py . $(OUT) $(PLATFORM) $(PYTHONS)
 
 sdist: $(DONE)/venv frontend/dist/index.html ## a source archive in dist/ with the built page inside
 	@$(BIN)/python .ci/wheel.py . $(OUT) sdist

@@ -58,10 +58,21 @@ def compiler(machine: str) -> Callable[[], str]:
     return lacking
 
 
+def packager(machine: str) -> Callable[[], str]:
+    """Whether the Debian package can be made for a processor."""
+
+    def lacking() -> str:
+        return compiler(machine)() or ("" if shutil.which("dpkg-deb") else "dpkg-deb is not here")
+
+    return lacking
+
+
 def parts(root: Path, version: str) -> Iterator[Part]:
     """All of them."""
     for machine in MACHINES:
         yield Part(f"wheel for {machine}", ("wheel", f"PLATFORM={machine}"), compiler(machine))
+    for machine in MACHINES:
+        yield Part(f"package and all wheels for {machine}", ("deb", f"PLATFORM={machine}"), packager(machine))
     yield Part("wheel without a board's program", ("wheel", "PLATFORM=none"))
     yield Part("source archive", ("sdist",))
 

@@ -64,11 +64,7 @@ install -m 644 "$here/epf-gcs.service" "$unit"
 install -m 644 "$here/epf-gcs-first-key.service" "$first_key"
 install -m 644 "$here/70-epf-gcs.rules" "$rules"
 ln -sf "$program/bin/epf-gcs" /usr/local/bin/epf-gcs
-[ -f /etc/epf-gcs.conf ] || cat > /etc/epf-gcs.conf <<'CONF'
-# One NAME=value a line; `epf-gcs --help` lists them. After a change: sudo systemctl restart epf-gcs
-#GCS_BOARD=serial:///dev/ttyAMA0?baud=115200
-#GCS_PORT=8000
-CONF
+[ -f /etc/epf-gcs.conf ] || install -m 644 "$here/epf-gcs.conf" /etc/epf-gcs.conf
 systemctl daemon-reload
 udevadm control --reload && udevadm trigger --subsystem-match=tty || true
 systemctl enable --quiet epf-gcs epf-gcs-first-key
