@@ -4,8 +4,8 @@ Usage: containers.py ROOT
 
 What is held against what: every path that is copied or mounted against the tree and .dockerignore; every stage, service
 and volume against its definition; every setting against those of the gateway, the page and the journeys; every port
-against the program that has it; every program against those that are installed. The shape of the compose files is held
-against the public schema by `make check-workflows`.
+against the program that has it; every program against those that are installed; the image's labels against the
+project. The shape of the compose files is held against the public schema by `make check-workflows`.
 
 Why a program of ours: of eleven planted faults hadolint 2.15.1 found one (a stage that is not there) and the public
 schema one (a key that no service has). Both passed the nine that concern the tree, its settings, ports and programs.
@@ -15,6 +15,7 @@ schema one (a key that no service has). Both passed the nine that concern the tr
 from __future__ import annotations
 
 import re
+import shlex
 import subprocess
 import sys
 import tomllib
@@ -40,6 +41,7 @@ _READ_BY: Final = {
 }
 # Programs of the base images, beside those of the wheel.
 _SYSTEM: Final = frozenset({"python", "sh", "grep", "node", "npx", "watchfiles", "epf-board"})
+_LABELS: Final = "org.opencontainers.image."
 _INSTALLED_SCRIPTS: Final = "/usr/local/lib/epf-gcs/"
 
 
@@ -99,6 +101,7 @@ class Image:
     settings: tuple[str, ...]
     ports: tuple[str, ...]
     base_images: tuple[str, ...]
+    labels: Mapping[str, str]
 
     @classmethod
     def read(cls, text: str) -> Image:
@@ -127,7 +130,15 @@ class Image:
             tuple(w.partition("=")[0] for w in settings),
             tuple(ports),
             tuple(bases),
+            {name: value for words in lines if words[0] == "LABEL" for name, value in _pairs(words[1:])},
         )
+
+
+def _pairs(words: list[str]) -> Iterator[tuple[str, str]]:
+    """Names and values of a LABEL's words."""
+    for word in shlex.split(" ".join(words)):
+        name, _, value = word.partition("=")
+        yield name, value
 
 
 def of_image(tree: Tree, image: Image) -> Iterator[str]:
@@ -147,6 +158,25 @@ def of_image(tree: Tree, image: Image) -> Iterator[str]:
         if name.startswith("GCS_") and not _is_setting(tree, name):
             yield f"Dockerfile sets {name}, which nothing reads"
     yield from _of_ports("Dockerfile", image.ports)
+
+
+def of_labels(tree: Tree, image: Image) -> Iterator[str]:
+    """What a registry shows of the image: complete, of this tree, and without the address of anybody."""
+    project = tomllib.loads((tree.root / "backend/pyproject.toml").read_text(encoding="utf-8"))["project"]
+    make = (tree.root / "Makefile").read_text(encoding="utf-8")
+    wanted = {"title": "EPF GCS", "licenses": project["license"], "version": "${VERSION}", "revision": "${REVISION}"}
+    for name, value in wanted.items():
+        if image.labels.get(_LABELS + name) != value:
+            yield f"Dockerfile labels no {name}, which is {value}"
+    for name in ("VERSION", "REVISION"):
+        if f"--build-arg {name}=" not in make:
+            yield f"`make container` does not say {name}, which a label names"
+    for name, value in image.labels.items():
+        if "://" in value:
+            yield f"Dockerfile's label {name} names an address, and the tree has none"
+    base = image.labels.get(_LABELS + "base.name")
+    if base not in image.base_images:
+        yield f"Dockerfile's label of its base says {base}, from which nothing starts"
 
 
 def of_services(
@@ -266,7 +296,7 @@ def faults(root: Path) -> list[str]:
     for document in documents.values():
         for service, told in document["services"].items():
             all_of[service] = {**told, **all_of.get(service, {})}
-    found = [*of_image(tree, image), *of_health(all_of), *of_variables(root)]
+    found = [*of_image(tree, image), *of_labels(tree, image), *of_health(all_of), *of_variables(root)]
     for name, document in documents.items():
         found += of_services(tree, image, name, document, all_of)
     return found

@@ -14,6 +14,7 @@ ROOT = Path(__file__).parents[2]
 READ = (
     "Dockerfile",
     ".dockerignore",
+    "Makefile",
     "docker-compose.yml",
     "docker-compose.use.yml",
     "backend/pyproject.toml",
@@ -67,6 +68,17 @@ def test_they_fit_the_tree(tree: Path) -> None:
         ("Dockerfile", "--from=board", "--from=boards", "Dockerfile copies from boards, which is no stage"),
         ("Dockerfile", "GCS_DATA_DIR=", "GCS_DATA_FOLDER=", "Dockerfile sets GCS_DATA_FOLDER, which nothing reads"),
         ("Dockerfile", "49003/udp", "49009/udp", "Dockerfile opens port 49009, where no program listens"),
+        ("Dockerfile", 'image.title="EPF GCS"', 'image.title="GCS"', "labels no title, which is EPF GCS"),
+        ("Dockerfile", 'licenses="MIT"', 'licenses="GPL-3.0"', "labels no licenses, which is MIT"),
+        ("Dockerfile", 'version="${VERSION}"', 'version="1.0.0"', "labels no version, which is ${VERSION}"),
+        ("Makefile", "--build-arg REVISION=", "--build-arg COMMIT=", "`make container` does not say REVISION"),
+        ("Dockerfile", 'image.title="', 'image.url="https://a.example" org.x="', "image.url names an address"),
+        (
+            "Dockerfile",
+            'base.name="docker.io/library/python:3.11',
+            'base.name="docker.io/library/python:3.10',
+            "its base",
+        ),
         (
             "docker-compose.yml",
             "target: dev-page",
