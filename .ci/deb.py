@@ -70,7 +70,7 @@ Priority: optional
 Description: ground control station in the browser for a small autopilot board
  A gateway between an autopilot board, X-Plane or the embedded flight simulator
  and pages in browsers, installed as a service of systemd. It needs no network:
- all Python packages lie in {WHEELS}, from which
+ all Python packages lie in /{WHEELS}, from which
  its environment in /opt/epf-gcs is made (Python {" or ".join(pythons)}).
 """
 

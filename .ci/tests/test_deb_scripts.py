@@ -17,6 +17,7 @@ PYTHON = """\
 case "$1$2" in
   -c*) echo "Python $(cat "$DPKG_ROOT/python-is")" ;;
   -mvenv)
+    shift 2
     mkdir -p "$3/bin" "$3/lib"
     echo "command = $3" >"$3/pyvenv.cfg"
     cp "$0" "$3/bin/python3" ;;
