@@ -13,7 +13,8 @@ import pytest
 from epf_gcs.contract.flights import Fault
 from epf_gcs.library.about import About, KeptMark, read_about
 from epf_gcs.library.folder import KEPT_S, FlightFolder
-from epf_gcs.library.library import FlightQuery, Library, Row
+from epf_gcs.library.library import Library, Row
+from epf_gcs.library.query import FlightQuery
 from epf_gcs.recordings.flight_summary import VERSION as SUMMARY_VERSION
 from epf_gcs.recordings.flight_summary import FlightSummary, write_summary
 from epf_gcs.recordings.places import SUMMARY, Places, stamp_of
@@ -79,6 +80,8 @@ def test_it_is_searched_by_words_tag_board_and_time_and_sorted(places: Places) -
             places,
             flight,
             board="ala fija" if number else "delta",
+            aircraft=["Libélula", None, "Gaviota"][number],
+            operator=["Ana", "Luis", "Ana"][number],
             highest_ft=[900.0, None, 300.0][number],
             distance_nm=[None, 1.5, 20.0][number],
             alarms=[0, 12, 5][number],
@@ -94,6 +97,9 @@ def test_it_is_searched_by_words_tag_board_and_time_and_sorted(places: Places) -
     assert ids(library, tag="viraje") == [FIRST]
     assert ids(library, tag="vira") == []
     assert ids(library, board="ala fija") == [THIRD, SECOND]
+    assert ids(library, aircraft="Gaviota") == [THIRD]
+    assert ids(library, operator="Ana") == [THIRD, FIRST]
+    assert ids(library, operator="Ana", aircraft="Libélula") == [FIRST]
     assert ids(library, from_s=1_767_261_601, to_s=1_767_261_601.5) == [SECOND]
     assert ids(library, sort="highest") == [FIRST, THIRD, SECOND], "what is not known comes last"
     assert ids(library, sort="highest", descending=False) == [THIRD, FIRST, SECOND]
@@ -103,7 +109,32 @@ def test_it_is_searched_by_words_tag_board_and_time_and_sorted(places: Places) -
     library.say(THIRD, About(title="despegue"))
     assert ids(library, sort="title", descending=False) == [THIRD, FIRST, SECOND], "without a title comes last"
     assert ids(library, first=1, most=1) == [SECOND]
-    assert (library.tags(), library.boards()) == (["50%", "viraje"], ["ala fija", "delta"])
+    words = library.words()
+    assert (words.tags, words.boards) == (["50%", "viraje"], ["ala fija", "delta"])
+    assert (words.aircraft, words.operators) == (["Gaviota", "Libélula"], ["Ana", "Luis"])
+
+
+def test_a_copy_of_a_recording_is_no_second_flight_and_is_named_at_the_first(places: Places) -> None:
+    for flight, content in ((FIRST, "other"), (SECOND, "same"), (THIRD, "same")):
+        record(places, flight)
+        index(places, flight, fingerprint=content)
+    library = Library(places)
+    library.refresh(None)
+    rows, total = library.search(FlightQuery())
+    assert ([row.id for row in rows], total) == ([SECOND, FIRST], 2)
+    assert [row.copies for row in rows] == [[THIRD], []]
+    assert row_of(library, THIRD).copies == [SECOND], "by its id it is there still"
+    places.recording(SECOND).unlink()
+    library.refresh(None)
+    assert ids(library) == [THIRD, FIRST]
+
+
+def test_recordings_that_are_not_read_yet_are_no_copies(places: Places) -> None:
+    for flight in (FIRST, SECOND):
+        record(places, flight)
+    library = Library(places)
+    library.refresh(None)
+    assert ids(library) == [SECOND, FIRST]
 
 
 def test_a_changed_recording_is_known_no_more_until_it_is_indexed_again(places: Places) -> None:

@@ -777,7 +777,8 @@ export type Thumbnail = Checked<typeof isThumbnail>;
 /** One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
  *
  * `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
- * about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time. */
+ * about the file. `copies` are the ids of other files with the same content: the list leaves them out. `started_s` is
+ * corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time. */
 export const isFlight = shape({
   active: isFlag,
   aircraft: nullable(isText),
@@ -786,6 +787,7 @@ export const isFlight = shape({
   bytes: isNumber,
   clock_ahead_s: isNumber,
   clock_unsure: isFlag,
+  copies: list(isText),
   damage: nullable(isText),
   distance_nm: nullable(isNumber),
   duration_s: nullable(isNumber),
@@ -950,16 +952,18 @@ export const isJob = shape({
 });
 export type Job = Checked<typeof isJob>;
 
-/** One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
- * whole library; `unnamed` are files among the recordings whose names are no flight's, which an import makes flights;
- * `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is called, empty
- * for no name. */
+/** One page of the flights that were asked for. `total` counts all pages; `tags`, `boards`, `all_aircraft` and
+ * `operators` are those of the whole library; `unnamed` are files among the recordings whose names are no flight's,
+ * which an import makes flights; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft
+ * that flies now is called, empty for no name. */
 export const isFlightList = shape({
   aircraft: isText,
+  all_aircraft: list(isText),
   boards: list(isText),
   disk: isFlightDisk,
   flights: list(isFlight),
   indexing: list(isJob),
+  operators: list(isText),
   tags: list(isText),
   total: isNumber,
   unnamed: list(isText),

@@ -39,6 +39,7 @@ export function aFlight(parts: Partial<Flight> = {}): Flight {
     tags: ["isla"],
     notes: "",
     pinned: false,
+    copies: [],
     ...parts,
   };
 }
@@ -50,6 +51,8 @@ export function aFlightList(parts: Partial<FlightList> = {}): FlightList {
     total: flights.length,
     tags: ["isla", "viento"],
     boards: ["epf"],
+    all_aircraft: ["Libélula"],
+    operators: ["Ana"],
     unnamed: [],
     indexing: [],
     disk: {

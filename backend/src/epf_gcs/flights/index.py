@@ -15,6 +15,7 @@ from epf_gcs.flights.room import minding_room
 from epf_gcs.flights.summary import summarise
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.flight_summary import write_summary
+from epf_gcs.recordings.notes import REPAIRED, Note
 from epf_gcs.recordings.places import stamp_of
 
 _COLUMNS: Final = "columns"
@@ -52,8 +53,17 @@ def run(arguments: list[str], say: Say) -> dict[str, str | int]:
         frames_damaged=counts.frames_damaged,
         gaps=counts.gaps,
         is_whole=counts.is_whole,
-        damage=counts.damage,
+        damage=" ".join(sentence for sentence in (counts.damage, _repaired(written.notes)) if sentence) or None,
         fingerprint=fingerprint.text(),
     )
     write_summary(written.folder, summary)
     return {"folder": str(written.folder), "frames": counts.frames_heard}
+
+
+def _repaired(noted: list[Note]) -> str:
+    """What was cut off this recording since its writer was ended, as a sentence; "" if nothing was."""
+    contents = [note.content for note in noted if note.name == REPAIRED and isinstance(note.content, dict)]
+    cut = sum(count for content in contents if isinstance(count := content.get("bytes_cut"), int))
+    return (
+        f"The station was ended without warning: the last {cut} bytes were incomplete and were cut off." if cut else ""
+    )

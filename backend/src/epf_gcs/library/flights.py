@@ -20,8 +20,9 @@ from epf_gcs.library.about import About
 from epf_gcs.library.aircraft import AircraftNameChoice
 from epf_gcs.library.folder import BinEntry, FlightFolder, unknown
 from epf_gcs.library.jobs import Job, Jobs
-from epf_gcs.library.library import FlightQuery, Library, Row
+from epf_gcs.library.library import Library, Row
 from epf_gcs.library.policy import PolicyChoice
+from epf_gcs.library.query import FlightQuery, LibraryWords
 from epf_gcs.recordings.places import Places
 from epf_gcs.shares.holder import STATION
 
@@ -133,9 +134,9 @@ class Flights:
         """All flights, oldest first."""
         return await self.in_thread(self._library.all)
 
-    async def words(self) -> tuple[list[str], list[str], list[str]]:
-        """All tags and boards there are, and the files whose names are no flight's."""
-        return await self.in_thread(lambda: (self._library.tags(), self._library.boards(), self._library.unnamed))
+    async def words(self) -> LibraryWords:
+        """What the list may be narrowed by, and the files whose names are no flight's."""
+        return await self.in_thread(self._library.words)
 
     async def get(self, flight: str) -> Row:
         """One flight. Raises NotFoundError."""

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
-import unicodedata
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 import msgspec
 import structlog
@@ -22,6 +21,7 @@ from epf_gcs.contract.flights import Fault
 from epf_gcs.disk import regular_files
 from epf_gcs.errors import GatewayError
 from epf_gcs.library.about import About, read_about, write_about
+from epf_gcs.library.query import FlightQuery, LibraryWords, plain
 from epf_gcs.recordings.flight_summary import VERSION as SUMMARY_VERSION
 from epf_gcs.recordings.flight_summary import FlightSummary, read_summary
 from epf_gcs.recordings.places import Places, Stamp, is_id, stamp_of, started_s
@@ -40,35 +40,13 @@ CREATE INDEX by_fingerprint ON flight (fingerprint);
 # What the rows hold beside the file's own size and time; found again by `_learn`.
 _LEARNT: Final = ("started_s", "duration_s", "highest_ft", "fastest_kt", "board", "fingerprint", "summary", "words")
 
+# A row with the ids of its copies. Of files with the same content the first is the flight.
+_SELECT: Final = """SELECT *, (SELECT json_group_array(copy.id) FROM flight AS copy
+  WHERE copy.fingerprint = flight.fingerprint AND copy.id <> flight.id) AS copies FROM flight"""
+_IS_FIRST: Final = """NOT EXISTS (SELECT 1 FROM flight AS copy
+  WHERE copy.fingerprint = flight.fingerprint AND copy.id < flight.id)"""
+
 log = structlog.get_logger("web")
-
-Sort = Literal["started", "duration", "highest", "fastest", "bytes", "distance", "alarms", "marks", "title"]
-_SORTS: Final[dict[Sort, str]] = {
-    "started": "started_s",
-    "duration": "duration_s",
-    "highest": "highest_ft",
-    "fastest": "fastest_kt",
-    "bytes": "bytes",
-    "distance": "json_extract(summary, '$.distance_nm')",
-    "alarms": "json_extract(summary, '$.alarms')",
-    "marks": "json_extract(summary, '$.marks')",
-    "title": "nullif(json_extract(about, '$.title'), '') COLLATE NOCASE",
-}
-
-
-@dataclass(frozen=True, slots=True)
-class FlightQuery:
-    """Which flights: all words of `text` in what is said or known of it, a tag, a board, a stretch of Unix time."""
-
-    text: str = ""
-    tag: str | None = None
-    board: str | None = None
-    from_s: float | None = None
-    to_s: float | None = None
-    sort: Sort = "started"
-    descending: bool = True
-    first: int = 0
-    most: int = 50
 
 
 class KeptFault(msgspec.Struct):
@@ -80,7 +58,10 @@ class KeptFault(msgspec.Struct):
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One flight. `summary` is what the index worker found, None until then; `fault` why it found nothing."""
+    """One flight. `summary` is what the index worker found, None until then; `fault` why it found nothing.
+
+    `copies` are the ids of other files with the same content.
+    """
 
     id: str
     bytes: int
@@ -89,6 +70,7 @@ class Row:
     summary: FlightSummary | None
     fault: Fault | None
     about: About
+    copies: list[str]
 
 
 class Library:
@@ -136,63 +118,52 @@ class Library:
         self._open().commit()
 
     def search(self, wanted: FlightQuery) -> tuple[list[Row], int]:
-        """One page of the flights, and how many there are in all."""
-        terms: list[str] = ["1"]
-        values: list[str | float] = []
-        for word in _plain(wanted.text).split():
-            terms.append("words LIKE ? ESCAPE '\\'")
-            values.append(f"%{_escaped(word)}%")
-        for term, value in (
-            ("EXISTS (SELECT 1 FROM json_each(about, '$.tags') WHERE json_each.value = ?)", wanted.tag),
-            ("board = ?", wanted.board),
-            ("started_s >= ?", wanted.from_s),
-            ("started_s <= ?", wanted.to_s),
-        ):
-            if value is not None:
-                terms.append(term)
-                values.append(value)
-        where = " AND ".join(terms)
+        """One page of the flights, each once however many copies it has, and how many there are in all."""
+        terms, values = wanted.terms()
+        where = f"{_IS_FIRST} AND {terms}"
         (count,) = self._all(f"SELECT count(*) AS n FROM flight WHERE {where}", *values)  # noqa: S608 - our own terms
-        column, order = _SORTS[wanted.sort], "DESC" if wanted.descending else "ASC"
-        rows = self._all(
-            f"SELECT * FROM flight WHERE {where} "  # noqa: S608 - our own terms and columns
-            f"ORDER BY {column} {order} NULLS LAST, id {order} LIMIT ? OFFSET ?",
-            *values,
-            wanted.most,
-            wanted.first,
-        )
+        paging = "LIMIT ? OFFSET ?"
+        rows = self._all(f"{_SELECT} WHERE {where} {wanted.order()} {paging}", *values, wanted.most, wanted.first)
         return [_row(row) for row in rows], int(count["n"])
 
     def get(self, flight: str) -> Row | None:
         """One flight; None if there is none."""
-        rows = self._all("SELECT * FROM flight WHERE id = ?", flight)
+        rows = self._all(f"{_SELECT} WHERE id = ?", flight)
         return _row(rows[0]) if rows else None
 
     def all(self) -> list[Row]:
         """All flights, oldest first."""
-        return [_row(row) for row in self._all("SELECT * FROM flight ORDER BY started_s, id")]
+        return [_row(row) for row in self._all(f"{_SELECT} ORDER BY started_s, id")]
 
     def waiting(self) -> list[Row]:
         """Flights of which nothing is known yet, newest first."""
-        return [_row(row) for row in self._all("SELECT * FROM flight WHERE summary IS NULL ORDER BY started_s DESC")]
+        return [_row(row) for row in self._all(f"{_SELECT} WHERE summary IS NULL ORDER BY started_s DESC")]
 
     def newest(self, most: int) -> list[Row]:
         """The newest flights whose content is known."""
         found = self._all(
-            "SELECT * FROM flight WHERE summary IS NOT NULL ORDER BY started_s DESC LIMIT ?",
+            f"{_SELECT} WHERE summary IS NOT NULL ORDER BY started_s DESC LIMIT ?",
             most,
         )
         return [_row(row) for row in found]
 
-    def tags(self) -> list[str]:
-        """Every tag that a flight has."""
-        found = self._all("SELECT DISTINCT value FROM flight, json_each(flight.about, '$.tags') ORDER BY value")
-        return [str(row["value"]) for row in found]
+    def words(self) -> LibraryWords:
+        """What the flights of the library may be narrowed by."""
+        tags = self._all("SELECT DISTINCT value FROM flight, json_each(flight.about, '$.tags') ORDER BY value")
+        return LibraryWords(
+            tags=[str(row["value"]) for row in tags],
+            boards=self._names("board"),
+            aircraft=self._names("aircraft"),
+            operators=self._names("operator"),
+            unnamed=self.unnamed,
+        )
 
-    def boards(self) -> list[str]:
-        """Every board that flew."""
-        found = self._all("SELECT DISTINCT board FROM flight WHERE board IS NOT NULL ORDER BY board")
-        return [str(row["board"]) for row in found]
+    def _names(self, field: str) -> list[str]:
+        found = self._all(
+            "SELECT DISTINCT json_extract(summary, ?) AS name FROM flight WHERE name IS NOT NULL ORDER BY name",
+            f"$.{field}",
+        )
+        return [str(row["name"]) for row in found]
 
     def with_fingerprint(self, fingerprint: str) -> str | None:
         """The flight with this content; None if there is none."""
@@ -324,7 +295,8 @@ def _row(row: sqlite3.Row) -> Row:
     kept = msgspec.json.decode(row["fault"], type=KeptFault) if row["fault"] else None
     fault = kept.fault if kept is not None and kept.stamp == stamp else None
     summary = FlightSummary.from_json(row["summary"]) if row["summary"] else None
-    return Row(row["id"], stamp[0], stamp, row["started_s"], summary, fault, About.from_json(row["about"]))
+    about, copies = About.from_json(row["about"]), sorted(msgspec.json.decode(row["copies"], type=list[str]))
+    return Row(row["id"], stamp[0], stamp, row["started_s"], summary, fault, about, copies)
 
 
 def _stamp_text(path: Path) -> str:
@@ -337,14 +309,4 @@ def _stamp_text(path: Path) -> str:
 def _words(flight: str, about: About, known: FlightSummary | None) -> str:
     names = () if known is None else (known.board, known.firmware, known.aircraft, known.operator)
     said = (flight, about.title, *about.tags, about.notes, *names)
-    return _plain(" ".join(word for word in said if word))
-
-
-def _plain(text: str) -> str:
-    """Lower case without accents, so that a search for `avion` finds `Avión`."""
-    parts = unicodedata.normalize("NFKD", text.casefold())
-    return "".join(part for part in parts if not unicodedata.combining(part))
-
-
-def _escaped(word: str) -> str:
-    return word.replace("\\", "\\\\").replace("%", "\\%").replace("_", "\\_")
+    return plain(" ".join(word for word in said if word))

@@ -27,6 +27,8 @@ EVENT: Final = "epf/event"
 MARK: Final = "epf/mark"
 # {"bytes": number of bytes that reached no file, "reason": text}
 LOST: Final = "epf/lost"
+# {"bytes_cut": number of bytes}: the writer was ended without warning, and the incomplete end was cut off since then.
+REPAIRED: Final = "epf/repaired"
 # {"line": "board" or "simulator", "open": bool, "url": text or null, "baud": number or null, "profile": text or null,
 #  "emulated": bool}: from here on the bytes of this line belong to this device.
 LINE: Final = "epf/line"

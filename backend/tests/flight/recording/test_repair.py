@@ -21,6 +21,7 @@ from mcap.stream_reader import StreamReader
 from epf_gcs.flight.recording import repair as repair_module
 from epf_gcs.flight.recording.repair import BeyondRepairError, recordings_in, repair, repair_all
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.notes import REPAIRED, written
 from epf_gcs.recordings.packing import pack
 from epf_gcs.recordings.reading import read_file
 
@@ -45,6 +46,14 @@ def a_recording(payloads: list[bytes]) -> tuple[bytes, bytes, int]:
         data += message_record(1, tally.add(1, time_ns), time_ns, payload)
     end = data_end()
     return data, end + closing(TOPICS, tally, len(data) + len(end)), len(head)
+
+
+def repaired(data: bytes, cut: int, last_ns: int = 1_000, notes: int = 1, messages: int = 1) -> bytes:
+    """These records of a recording with the note and the end that its repair adds."""
+    data += metadata_record(REPAIRED, written(last_ns, {"bytes_cut": cut}))
+    tally = Tally({1: messages}, notes + 1, 1_000, last_ns)
+    end = data_end()
+    return data + end + closing(TOPICS, tally, len(data) + len(end))
 
 
 def payloads(data: bytes) -> list[bytes]:
@@ -91,6 +100,18 @@ def test_a_file_that_was_cut_anywhere_is_mended_up_to_its_last_whole_record(tmp_
     assert path.read_bytes() == data + end, "what lacked only its last byte is as it would have been"
 
 
+def test_what_was_cut_off_is_noted_in_the_recording_and_a_missing_summary_is_no_damage(tmp_path: Path) -> None:
+    data, end, _ = a_recording([b"one", b"two"])
+    path = tmp_path / NAME
+    path.write_bytes(data[:-2])
+    cut = repair(path)
+    assert [note.content for note in read_file(path).notes if note.name == REPAIRED] == [{"bytes_cut": cut}]
+    for size in range(len(data), len(data + end)):
+        path.write_bytes((data + end)[:size])
+        assert repair(path) is not None
+        assert path.read_bytes() == data + end
+
+
 def test_the_notes_stay(tmp_path: Path) -> None:
     data, _, _ = a_recording([b"one"])
     path = tmp_path / NAME
@@ -101,22 +122,23 @@ def test_the_notes_stay(tmp_path: Path) -> None:
 
 
 def test_zeros_after_a_power_cut_are_cut_off(tmp_path: Path) -> None:
-    data, end, _ = a_recording([b"one"])
+    data, _, _ = a_recording([b"one"])
     path = tmp_path / NAME
     path.write_bytes(data + bytes(5000))
     assert repair(path) == 5000
-    assert path.read_bytes() == data + end
+    assert path.read_bytes() == repaired(data, 5000)
 
 
 @pytest.mark.parametrize("torn_at", range(1, 8))
 def test_a_last_message_whose_end_became_zeros_is_not_taken_for_one(tmp_path: Path, torn_at: int) -> None:
     """A power cut leaves zeros from some byte on; a datagram has no checksum that would tell."""
     data, _, _ = a_recording([b"one", b"datagram"])
-    whole, end, _ = a_recording([b"one"])
+    whole, _, _ = a_recording([b"one"])
     path = tmp_path / NAME
     path.write_bytes(data[: torn_at - 8] + bytes(5000))
-    repair(path)
-    assert path.read_bytes() == whole + end
+    cut = repair(path)
+    assert cut is not None
+    assert path.read_bytes() == repaired(whole, cut)
 
 
 def test_a_message_that_ends_in_zeros_stays_where_another_follows_or_the_file_just_ends(tmp_path: Path) -> None:
@@ -125,7 +147,9 @@ def test_a_message_that_ends_in_zeros_stays_where_another_follows_or_the_file_ju
         data, end, _ = a_recording([b"one", b"zeros\0\0", *behind])
         path.write_bytes(data + said)
         repair(path)
-        assert path.read_bytes() == data + end
+        messages = 2 + len(behind)
+        mended = repaired(data, len(said), 999 + messages, messages=messages) if said else data + end
+        assert path.read_bytes() == mended
 
 
 def test_a_whole_file_is_not_touched(tmp_path: Path) -> None:
@@ -232,14 +256,14 @@ def test_a_wrong_length_is_no_torn_end_while_records_stand_behind_it(tmp_path: P
 
 
 def test_a_file_that_the_disk_does_not_give_is_told_and_the_next_one_is_mended(tmp_path: Path) -> None:
-    data, end, _ = a_recording([b"one"])
+    data, _, _ = a_recording([b"one"])
     folder = tmp_path / "20260103T000000Z.mcap"
     folder.mkdir()
     torn = tmp_path / NAME
     torn.write_bytes(data + b"\x05\xff")
     with structlog.testing.capture_logs() as logged:
         repair_all([folder, torn])
-    assert torn.read_bytes() == data + end
+    assert torn.read_bytes() == repaired(data, 2)
     assert [(line["event"], line.get("reason"), line.get("bytes_cut")) for line in logged] == [
         ("recording not repaired", "Is a directory", None),
         ("recording repaired", None, 2),

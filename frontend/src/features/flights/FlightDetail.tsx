@@ -50,7 +50,7 @@ export function FlightDetail({ flight }: { readonly flight: Flight }) {
 
 /** What is wrong with the recording, in a sentence. */
 function Faults({ flight }: { readonly flight: Flight }) {
-  const { fault, damage, state, clock_ahead_s, clock_unsure } = flight;
+  const { fault, damage, copies, state, clock_ahead_s, clock_unsure } = flight;
   const { t } = useTranslation();
   const sentence = useSentence();
   return (
@@ -59,6 +59,11 @@ function Faults({ flight }: { readonly flight: Flight }) {
       {state === "indexing" && <Notice level="info">{t("flights.preparing")}</Notice>}
       {fault !== null && <Notice level="warning">{sentence(failureMessage(fault))}</Notice>}
       {damage !== null && <Notice level="warning">{t("flights.damage", { why: damage })}</Notice>}
+      {copies.length > 0 && (
+        <Notice level="info">
+          {t("flights.copies", { count: copies.length, files: copies.map((id) => `${id}.mcap`).join(", ") })}
+        </Notice>
+      )}
       {clock_ahead_s !== 0 && <Notice level="info">{t("flights.clockCorrected")}</Notice>}
       {clock_ahead_s === 0 && clock_unsure && <Notice level="info">{t("flights.clockUnsure")}</Notice>}
     </>

@@ -12,13 +12,20 @@ import { useLibrary } from "./useFlights";
 /** A choice of the list that does not narrow it. */
 const ANY = "";
 
+/** What the list is narrowed by, and where the library tells all there is of it. */
+const NAMED = [
+  { name: "tag", words: "tags" },
+  { name: "board", words: "boards" },
+  { name: "aircraft", words: "all_aircraft" },
+  { name: "operator", words: "operators" },
+] as const;
+
 /** Which flights are listed, and in which order. */
 export function FlightFilters() {
   const { t } = useTranslation();
   const { ask } = usePart(FLIGHTS);
   const query = useLibrary((library) => library.query);
-  const tags = useLibrary(({ list }) => list?.tags) ?? [];
-  const boards = useLibrary(({ list }) => list?.boards) ?? [];
+  const list = useLibrary((library) => library.list);
   const any = { value: ANY, label: t("flights.any") };
   const isUp = query.order === "asc";
   return (
@@ -26,20 +33,16 @@ export function FlightFilters() {
       <SearchField />
       <DateField label={t("flights.from")} value={query.from} onChange={(from) => ask({ from })} />
       <DateField label={t("flights.to")} value={query.to} onChange={(to) => ask({ to })} />
-      <Select
-        label={t("flights.tag")}
-        placeholder={t("flights.any")}
-        value={query.tag ?? ANY}
-        options={[any, ...known(tags, query.tag)]}
-        onChange={(tag) => ask({ tag: tag === ANY ? null : tag })}
-      />
-      <Select
-        label={t("flights.board")}
-        placeholder={t("flights.any")}
-        value={query.board ?? ANY}
-        options={[any, ...known(boards, query.board)]}
-        onChange={(board) => ask({ board: board === ANY ? null : board })}
-      />
+      {NAMED.map(({ name, words }) => (
+        <Select
+          key={name}
+          label={t(`flights.${name}`)}
+          placeholder={t("flights.any")}
+          value={query[name] ?? ANY}
+          options={[any, ...known(list?.[words] ?? [], query[name])]}
+          onChange={(chosen) => ask({ [name]: chosen === ANY ? null : chosen })}
+        />
+      ))}
       <Select
         label={t("flights.sort")}
         placeholder={t("flights.sort")}

@@ -137,6 +137,10 @@ describe("the list", () => {
     expect(newest("GET", LIST).path).toContain("text=isla&");
     await user.selectOptions(screen.getByRole("combobox", { name: "Etiqueta" }), "viento");
     expect(newest("GET", LIST).path).toContain("tag=viento");
+    await user.selectOptions(screen.getByRole("combobox", { name: "Aeronave" }), "Libélula");
+    await user.selectOptions(screen.getByRole("combobox", { name: "Operador" }), "Ana");
+    expect(new URL(newest("GET", LIST).path, "http://station").searchParams.get("aircraft")).toBe("Libélula");
+    expect(newest("GET", LIST).path).toContain("operator=Ana");
     fireEvent.change(screen.getByLabelText("Hasta el día"), { target: { value: "2023-11-14" } });
     // The whole day counts.
     expect(newest("GET", LIST).path).toContain(`to_s=${new Date(2023, 10, 15).getTime() / 1000}`);
@@ -308,6 +312,12 @@ test("a viewer may neither delete nor import nor change the policy, and is told 
   expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);
   expect(button("Importar…").getAttribute("aria-disabled")).toBe("true");
   expect(detail().textContent).toContain("Espectador: el control lo tiene Ana.");
+});
+
+test("a flight whose recording lies there twice names the other file", async () => {
+  await open(aFlightList({ flights: [aFlight({ copies: ["20260101T000000Z-2"] })] }));
+  await select();
+  expect(detail().textContent).toMatch(/otra vez en la carpeta, como 20260101T000000Z-2\.mcap/);
 });
 
 test("a damaged flight says so with the sentence, and one that cannot be read is not opened", async () => {

@@ -17,6 +17,8 @@ export interface FlightQuery {
   readonly text: string;
   readonly tag: string | null;
   readonly board: string | null;
+  readonly aircraft: string | null;
+  readonly operator: string | null;
   readonly from: string;
   readonly to: string;
   readonly sort: Sort;
@@ -29,6 +31,8 @@ export const ALL_FLIGHTS: FlightQuery = {
   text: "",
   tag: null,
   board: null,
+  aircraft: null,
+  operator: null,
   from: "",
   to: "",
   sort: "started",
@@ -36,21 +40,24 @@ export const ALL_FLIGHTS: FlightQuery = {
   page: 1,
 };
 
+/** What the list is narrowed by that the library names itself. */
+const NAMES = ["tag", "board", "aircraft", "operator"] as const;
+
 export const PER_PAGE = 50;
 
 /** Whether anything narrows the list. */
-export function isFiltered({ text, tag, board, from, to }: FlightQuery): boolean {
-  return text.trim() !== "" || tag !== null || board !== null || from !== "" || to !== "";
+export function isFiltered(query: FlightQuery): boolean {
+  const { text, from, to } = query;
+  return text.trim() !== "" || from !== "" || to !== "" || NAMES.some((name) => query[name] !== null);
 }
 
 /** The address of one page of the flights that are asked for. */
 export function flightsPath(query: FlightQuery): string {
-  const { text, tag, board, from, to, sort, order, page } = query;
+  const { text, from, to, sort, order, page } = query;
   const [from_s, to_s] = [dayStarts_s(from, 0), dayStarts_s(to, 1)];
   const words = new URLSearchParams({
     ...(text.trim() === "" ? {} : { text: text.trim() }),
-    ...(tag === null ? {} : { tag }),
-    ...(board === null ? {} : { board }),
+    ...Object.fromEntries(NAMES.flatMap((name) => (query[name] === null ? [] : [[name, query[name]]]))),
     ...(from_s === null ? {} : { from_s: String(from_s) }),
     ...(to_s === null ? {} : { to_s: String(to_s) }),
     sort,

@@ -90,6 +90,8 @@ function answerTo(path: string): unknown {
       total: 0,
       tags: [],
       boards: [],
+      all_aircraft: [],
+      operators: [],
       unnamed: [],
       indexing: [],
       disk: {

@@ -1,4 +1,4 @@
-"""Repair of recordings whose writer was killed: cut off the incomplete last record and add the missing summary."""
+"""Repair of recordings whose writer was killed: cut off the incomplete last record, note it, and add the summary."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ from mcap.opcode import Opcode
 
 from epf_gcs.disk import open_regular, regular_files
 from epf_gcs.flight.memory.flight_log import say
-from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
+from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end, metadata_record
 from epf_gcs.recordings.next_record import next_record
+from epf_gcs.recordings.notes import REPAIRED, written
 from epf_gcs.system.priority import go_last
 
 _OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
@@ -109,8 +110,14 @@ def repair(path: Path, is_over: Callable[[], bool] = lambda: False) -> int | Non
         if found is None:
             return None
         file.seek(found.end)
-        file.truncate()
+        # Behind the last record only a summary may begin, which is made again: nothing of the flight is lost then.
+        is_flight_whole = file.read(1) in (b"", bytes([Opcode.DATA_END]))
         end = data_end()
+        if not is_flight_whole:
+            end = metadata_record(REPAIRED, written(found.tally.last_ns, {"bytes_cut": size - found.end})) + end
+            found.tally.metadata_count += 1
+        file.seek(found.end)
+        file.truncate()
         file.write(end + closing(found.topics, found.tally, found.end + len(end)))
         file.flush()
         os.fsync(file.fileno())

@@ -16,7 +16,8 @@ from epf_gcs.library.about import About
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.folder import KEPT_S
 from epf_gcs.library.imports import incomplete, most_import_bytes
-from epf_gcs.library.library import FlightQuery, Row, Sort
+from epf_gcs.library.library import Row
+from epf_gcs.library.query import FlightQuery, Sort
 from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep, HolderDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.interface.flights.schemas import (
@@ -72,6 +73,8 @@ async def get_flights(
     text: Annotated[str, Query(max_length=200, description="Words that all stand in what is said of it.")] = "",
     tag: Annotated[str | None, Query(max_length=40)] = None,
     board: Annotated[str | None, Query(max_length=200)] = None,
+    aircraft: Annotated[str | None, Query(max_length=200)] = None,
+    operator: Annotated[str | None, Query(max_length=200)] = None,
     from_s: UnixTime = None,
     to_s: UnixTime = None,
     sort: Sort = "started",
@@ -80,15 +83,29 @@ async def get_flights(
     per_page: Annotated[int, Query(ge=1, le=500)] = 50,
 ) -> FlightList:
     """The library: one page of the flights that were asked for, newest first unless another order is."""
-    wanted = FlightQuery(text, tag, board, from_s, to_s, sort, order == "desc", (page - 1) * per_page, per_page)
+    wanted = FlightQuery(
+        text=text,
+        tag=tag,
+        board=board,
+        aircraft=aircraft,
+        operator=operator,
+        from_s=from_s,
+        to_s=to_s,
+        sort=sort,
+        descending=order == "desc",
+        first=(page - 1) * per_page,
+        most=per_page,
+    )
     rows, total = await flights.search(wanted)
-    tags, boards, unnamed = await flights.words()
+    words = await flights.words()
     return FlightList(
         flights=[_flight(row, flights, mirror) for row in rows],
         total=total,
-        tags=tags,
-        boards=boards,
-        unnamed=unnamed[:_MOST_UNNAMED],
+        tags=words.tags,
+        boards=words.boards,
+        all_aircraft=words.aircraft,
+        operators=words.operators,
+        unnamed=words.unnamed[:_MOST_UNNAMED],
         indexing=[job.told for job in flights.jobs.all() if job.kind in ("pack", "index") and not job.is_over],
         disk=await _disk(flights),
         aircraft=await flights.aircraft.now(),
@@ -235,6 +252,7 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
         tags=about.tags,
         notes=about.notes,
         pinned=about.pinned,
+        copies=row.copies,
         **{name: getattr(known, name, None) for name in _FROM_SUMMARY},
     )
 

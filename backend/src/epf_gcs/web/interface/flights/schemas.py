@@ -37,7 +37,8 @@ class Flight(Output):
     """One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
 
     `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
-    about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
+    about the file. `copies` are the ids of other files with the same content: the list leaves them out. `started_s` is
+    corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
     """
 
     id: str
@@ -70,18 +71,21 @@ class Flight(Output):
     tags: list[str]
     notes: str
     pinned: bool
+    copies: list[str]
 
 
 class FlightList(Output):
-    """One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
-    whole library; `unnamed` are files among the recordings whose names are no flight's, which an import makes flights;
-    `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is called, empty
-    for no name."""
+    """One page of the flights that were asked for. `total` counts all pages; `tags`, `boards`, `all_aircraft` and
+    `operators` are those of the whole library; `unnamed` are files among the recordings whose names are no flight's,
+    which an import makes flights; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft
+    that flies now is called, empty for no name."""
 
     flights: list[Flight]
     total: int
     tags: list[str]
     boards: list[str]
+    all_aircraft: list[str]
+    operators: list[str]
     unnamed: list[str]
     indexing: list[Job]
     disk: FlightDisk
