@@ -100,7 +100,7 @@ export const MENUS: readonly Menu[] = [
     name: "Google Earth",
     entries: [
       { ...item("Reset", "actionGoogleReset"), confirm: "Borrar el recorrido" },
-      { role: "menuitem", name: "Recuperar el recorrido borrado" },
+      { role: "menuitem", name: "Recuperar el recorrido anterior" },
       { role: "menuitem", name: "Abrir en Google Earth" },
       { role: "menuitem", name: "Exportar KML" },
     ],

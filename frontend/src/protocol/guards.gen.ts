@@ -1742,7 +1742,7 @@ export const isThresholdList = shape({
 });
 export type ThresholdList = Checked<typeof isThresholdList>;
 
-/** What is drawn now; `can_restore`: the track that was cleared last is still kept. */
+/** What is drawn now; `can_restore`: an earlier one is kept: cleared last, or flown before a restart. */
 export const isTrackState = shape({
   can_restore: isFlag,
   flight_points: isNumber,

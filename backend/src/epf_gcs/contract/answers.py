@@ -55,7 +55,7 @@ class AlarmLimits(Shape):
 
 @dataclass(frozen=True, slots=True)
 class TrackState(Shape):
-    """What is drawn now; `can_restore`: the track that was cleared last is still kept."""
+    """What is drawn now; `can_restore`: an earlier one is kept: cleared last, or flown before a restart."""
 
     flight_points: int
     hil_points: int

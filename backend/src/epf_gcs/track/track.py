@@ -77,6 +77,11 @@ class Track:
     def __len__(self) -> int:
         return len(self._sealed) * self.block_points + len(self._points) // POINT.itemsize
 
+    @property
+    def newest_s(self) -> float | None:
+        """Unix time of the newest point; None without one."""
+        return None if self._last is None else self._last[0]
+
     def add(self, t_s: float, position: Position, attitude: Attitude | None = None) -> None:
         """Add a position at this Unix time; an unchanged position adds no point."""
         last = self._last

@@ -20,6 +20,7 @@ from epf_gcs.track.track import Attitude, Position, Track
 from epf_gcs.units import m_from_ft
 
 _AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
+_EARLIER_FLIGHT_S: Final = 120.0
 _SAVE_S: Final = 1.0
 _SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
 
@@ -69,7 +70,7 @@ class Tracks:
         vehicle.listen("simulator", self._on_simulator)
 
     async def run(self) -> None:
-        """Load the saved tracks of the last hours, then save new points once a second, forever."""
+        """Load the saved tracks, then save new points once a second, forever."""
         await self._load()
         await repeat(_SAVE_S, "saving the track", self._save)
 
@@ -78,13 +79,23 @@ class Tracks:
         await self._save()
 
     async def _load(self) -> None:
+        """A saved track of a flight that goes on is drawn again; one of an earlier flight is kept as a cleared one."""
         now_s = self._clock.now_s()
         found = [await asyncio.to_thread(kept.load, now_s, secrets.randbits(32)) for kept in self._kept]
-        before = Pair(*(track or self._new_track() for track in found))
-        if len(before.flight) or len(before.hil):
+        going_on = [None if track is None or _is_earlier(track, now_s) else track for track in found]
+        earlier = [track if before is None else None for track, before in zip(found, going_on, strict=True)]
+        if any(track is not None for track in going_on):
+            before = Pair(*(track or self._new_track() for track in going_on))
             flown, self._flown = self._flown, before
             before.flight.append(flown.flight)
             before.hil.append(flown.hil)
+        if any(track is not None for track in earlier):
+            # Where only one is of an earlier flight, the other begins with what is drawn of it.
+            drawn = (self._flown.flight, self._flown.hil)
+            self._cleared = Pair(
+                *(track or Track(now.t0_s, secrets.randbits(32)) for track, now in zip(earlier, drawn, strict=True))
+            )
+        if any(track is not None for track in found):
             self._tell()
 
     async def _save(self) -> None:
@@ -118,7 +129,7 @@ class Tracks:
 
     @property
     def can_restore(self) -> bool:
-        """Whether there is a cleared track to restore."""
+        """Whether there is an earlier track to restore."""
         return self._cleared is not None and not self._vehicle.is_emulated
 
     def reset(self) -> None:
@@ -136,7 +147,8 @@ class Tracks:
         if self._cleared is None or self._vehicle.is_emulated:
             raise ConflictError(
                 "track_not_kept",
-                "There is no cleared track to bring back: only the last one is kept, until it is back.",
+                "There is no earlier track to bring back: only the one cleared last, or saved before a restart, is "
+                "kept until it is back.",
             )
         cleared, self._cleared = self._cleared, None
         cleared.flight.append(self._flown.flight)
@@ -178,6 +190,10 @@ class Tracks:
 
     def _tell(self) -> None:
         self._say("track", self.state)
+
+
+def _is_earlier(track: Track, now_s: float) -> bool:
+    return track.newest_s is None or now_s - track.newest_s > _EARLIER_FLIGHT_S
 
 
 def _attitude(values: Values, names: tuple[str, str, str]) -> Attitude | None:

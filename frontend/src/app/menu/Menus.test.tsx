@@ -228,7 +228,7 @@ describe("what does not come back by itself", () => {
     expect(asked(station)).toEqual([]);
     await user.click(screen.getByRole("button", { name: "Borrar el recorrido" }));
     await open(user, station, "Google Earth");
-    await user.click(entry("Recuperar el recorrido borrado"));
+    await user.click(entry("Recuperar el recorrido anterior"));
     expect(asked(station)).toEqual(["POST track/reset {}", "POST track/restore {}"]);
   });
 });

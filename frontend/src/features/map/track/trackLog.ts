@@ -19,7 +19,7 @@ export interface TrackSummary {
 
 export interface Tracks {
   readonly summary: Readonly<Record<Aircraft, TrackSummary>>;
-  /** Whether a cleared track can be restored; null until known. */
+  /** Whether a track that was cleared, or is of an earlier flight, can be restored; null until known. */
   readonly canRestore: boolean | null;
   /** Why the newest request failed; null if it did not. */
   readonly failure: Message | null;
