@@ -57,6 +57,17 @@ describe.each(INSTRUMENTS)("the $name", ({ Dial, attribute, inside, beyond, writ
     };
   }
 
+  test("draws its words and figures over the pointer, which covers none of them", () => {
+    const { dial } = draw();
+    const pointer = dial.querySelector(".inst-pointer");
+    const words = [...dial.querySelectorAll("text")];
+    expect(words.map(({ textContent }) => textContent)).toContain("CAPTION");
+    for (const word of words) {
+      const isAfter = (pointer?.compareDocumentPosition(word) ?? 0) & Node.DOCUMENT_POSITION_FOLLOWING;
+      expect([word.textContent, isAfter !== 0]).toEqual([word.textContent, true]);
+    }
+  });
+
   test("shows no data until something was painted", () => {
     const { dial } = draw();
     expect(dial.getAttribute("data-state")).toBe("none");

@@ -105,19 +105,20 @@ export function PointerDial(props: Props) {
       <path d={geometry.ticksMinor} className="inst-tick" />
       <path d={geometry.ticksMiddle} className="inst-tick inst-tick-middle" />
       <path d={geometry.ticksMajor} className="inst-tick inst-tick-major" />
-      {geometry.numerals.map(({ text, x, y }) => (
-        <text key={`${x} ${y}`} x={x} y={y} className="inst-numeral">
-          {text}
-        </text>
-      ))}
       {geometry.signs !== undefined && <path d={geometry.signs} className="inst-sign" />}
-      <text y={geometry.captionY} className="inst-caption">
-        {caption}
-      </text>
     </>
   );
   const over = (
     <>
+      {/* Over the pointer, which would cover what it points at. */}
+      {geometry.numerals.map(({ text, x, y }) => (
+        <text key={`${x} ${y}`} x={x} y={y} className="inst-numeral inst-over-pointer">
+          {text}
+        </text>
+      ))}
+      <text y={geometry.captionY} className="inst-caption inst-over-pointer">
+        {caption}
+      </text>
       <circle r="7" className="inst-hub inst-moving" />
       <g transform={`translate(0 ${window.y})`}>
         <rect
