@@ -31,8 +31,18 @@ export function FlightFilters() {
   return (
     <search className="flights-filters" aria-label={t("flights.search")}>
       <SearchField />
-      <DateField label={t("flights.from")} value={query.from} onChange={(from) => ask({ from })} />
-      <DateField label={t("flights.to")} value={query.to} onChange={(to) => ask({ to })} />
+      <DateField
+        label={t("flights.from")}
+        form={t("flights.day")}
+        value={query.from}
+        onChange={(from) => ask({ from })}
+      />
+      <DateField
+        label={t("flights.to")}
+        form={t("flights.day")}
+        value={query.to}
+        onChange={(to) => ask({ to })}
+      />
       {NAMED.map(({ name, words }) => (
         <Select
           key={name}
