@@ -126,6 +126,14 @@ describe("the past", () => {
     expect(document.querySelector('.app[data-past="true"]')).toBeTruthy();
   });
 
+  test("says what each of its rows of marks is, in their order, and the thin bar does not", () => {
+    inThePast();
+    const rows = [...slider().querySelectorAll("[data-lane]")].map((row) => row.textContent);
+    expect(rows).toEqual(["Órdenes", "Modos", "Alarmas", "Waypoints", "Marcas"]);
+    press("Escape");
+    expect(slider().querySelector("[data-lane]")).toBeNull();
+  });
+
   test("shows nothing of the present: a value that its stream has not brought is no data", () => {
     const station = inThePast();
     const panel = screen.getByRole("complementary");

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { formatDateTime, formatFlightTime } from "../../lib/moment";
 import { usePart } from "../../store/hooks";
 import { type BarView, showing, wholeFlight, xOf } from "./barGeometry";
+import { LANES } from "./flightLanes";
 import { CURRENT, PLAYBACK } from "./playbackRequests";
 import { moment_s, type PlaybackState } from "./playbackState";
 import { enterPast, runInPast, timeAction } from "./timeKeys";
@@ -81,8 +82,23 @@ export function TimeTrack({ onMark }: Props) {
       {...gestures}
     >
       <canvas ref={canvas} className="time-canvas" />
+      {isPast && <Legend />}
       <span ref={handle} className="time-handle" aria-hidden="true" />
     </div>
+  );
+}
+
+/** What each row of marks is, in the row's own colour and in the order of the rows. Part of the slider's picture. */
+function Legend() {
+  const { t } = useTranslation();
+  return (
+    <span className="time-legend" aria-hidden="true">
+      {LANES.map((lane) => (
+        <span key={lane} data-lane={lane}>
+          {t(`timeLane.${lane}`)}
+        </span>
+      ))}
+    </span>
   );
 }
 
