@@ -117,7 +117,9 @@ function Recording() {
           <span className="app-status-file" title={file}>
             {file.slice(file.lastIndexOf("/") + 1)}
           </span>
-          <span className="app-number">{formatBytes(recording.bytes)}</span>
+          <span className="app-number" title={t("status.recordingBytes")}>
+            {formatBytes(recording.bytes)}
+          </span>
         </>
       )}
     </span>

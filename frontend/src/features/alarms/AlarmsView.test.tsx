@@ -74,7 +74,7 @@ describe("what is wrong", () => {
 
 test("what recovered is listed until it is acknowledged: one by one, or with all", async () => {
   raise({ ...LOST, until_s: 1_700_000_000 }, { ...LOW, until_s: 1_700_000_000 });
-  expect(panel("Activas").textContent).toContain("Ninguna alarma");
+  expect(panel("Activas").textContent).toContain("Falta reconocer 2 que ya terminaron");
   expect(panel("Activas").textContent).toContain("nadie la reconoció");
   const seen = { name: "Reconocer que terminó: batería baja" };
   await user.click(within(panel("Activas")).getByRole("button", seen));

@@ -356,7 +356,7 @@ test("the disk tells the hours left and what its policy does, and keeps what is 
   await open();
   const disk = screen.getByRole("region", { name: "Disco" });
   expect(disk.textContent).toContain(
-    "50.0 GB libres. Los vuelos ocupan 3.40 GB. Al ritmo de los últimos vuelos quedan 41 h",
+    "50.0 GB libres. Vuelos, papelera, lo preparado para verlos y exportaciones ocupan 3.40 GB. Al terminar, una grabación se comprime y ocupa mucho menos que mientras se graba (REC). Al ritmo de los últimos vuelos quedan 41 h",
   );
   expect(disk.textContent).toContain("No se borra nada solo");
   await user.click(within(disk).getByRole("checkbox"));

@@ -90,7 +90,7 @@ test("files are read by the gateway into the table, with what had to be supposed
   await asked.answer({ format: "kml", waypoints: imported(null), notes });
   expect(altitudes()).toEqual(["700", "1000", "1000"]);
   expect(document.body.textContent).toContain("3 waypoints sin velocidad en el archivo: se ha puesto 55 kt.");
-  expect(state()).toBe("no se sabe qué tiene la placa");
+  expect(state()).toBe("plan de la placa aún sin leer");
   expect(station.asked).toHaveLength(1);
 });
 

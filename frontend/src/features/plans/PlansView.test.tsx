@@ -250,13 +250,13 @@ describe("an upload", () => {
     await downloaded();
     const data = { plan: "flight", state: "pending", count: 3, client: "c9" };
     station.deliver({ type: "event", event: "mission", t_s: 1, data });
-    expect(state()).toBe("no se sabe qué tiene la placa");
+    expect(state()).toBe("plan de la placa aún sin leer");
   });
 
   test("is unknown after the board was lost", async () => {
     await downloaded();
     station.status(aStatus({ board: { ...aStatus().board, state: "lost" } }));
-    expect(state()).toBe("no se sabe qué tiene la placa");
+    expect(state()).toBe("plan de la placa aún sin leer");
   });
 });
 
