@@ -13,6 +13,7 @@ import {
   REPORTS,
   type Reports,
 } from "../features/report/reportRequests";
+import { createSignalPast, SIGNAL_PAST } from "../readouts/signalPast";
 import { choose } from "../store/settings";
 import type { Cockpit } from "./cockpit";
 import type { Core, Group } from "./core";
@@ -66,6 +67,7 @@ export function createHistory(core: Core, cockpit: Cockpit, open: OpenFlight): H
         .with(CHECKLIST, book.checklist)
         .with(FLIGHT_COMPARISON, twoFlights({ reports, plots, settings }))
         .with(PLOTS, plots)
+        .with(SIGNAL_PAST, createSignalPast(rest))
         .with(REPORTS, reports),
     takeEvent: (event) => {
       takeFlightEvent(event);

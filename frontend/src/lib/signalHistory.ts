@@ -26,6 +26,21 @@ export class SignalHistory {
     return other;
   }
 
+  /** These rows, in order of time, and then its own from `from_s` on. */
+  after(earlier: readonly HistoryRow[], from_s: number): SignalHistory {
+    const other = new SignalHistory([...this.#columns.keys()], this.#capacity);
+    for (const { time_s, read } of earlier) {
+      if (time_s < from_s) {
+        other.append(time_s, read);
+      }
+    }
+    for (let index = this.#firstFrom(from_s); index < this.#count; index += 1) {
+      const row = this.#row(index);
+      other.append(this.#times_s[row] ?? 0, (key) => this.#columns.get(key)?.[row] ?? null);
+    }
+    return other;
+  }
+
   /** Add a row; `read` returns a signal's value, or null. Times must not decrease. */
   append(time_s: number, read: (key: string) => number | null): void {
     this.#times_s[this.#next] = time_s;
@@ -75,6 +90,12 @@ export class SignalHistory {
   #row(index: number): number {
     return (this.#next - this.#count + index + this.#capacity) % this.#capacity;
   }
+}
+
+/** `read` returns a signal's value, or null. */
+export interface HistoryRow {
+  readonly time_s: number;
+  readonly read: (key: string) => number | null;
 }
 
 export interface HistoryWindow {

@@ -1,8 +1,9 @@
-import { act, screen } from "@testing-library/react";
+import { act, cleanup, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { beforeEach, expect, test } from "vitest";
-import { Station } from "../test/station";
+import { aStatus } from "../test/aStatus";
+import { type FakeRequest, Station } from "../test/station";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
 import { LivePlot, type PlotEvent } from "./LivePlot";
@@ -11,6 +12,9 @@ import type { Signal } from "./signals";
 const ROLL: Signal = { topic: "ahrs", field: "roll_deg", label: "Roll", unit: "°" };
 const SPEED: Signal = { topic: "simulator", field: "indicated_airspeed_kt", label: "Vind", unit: "kt" };
 const DOUBLE: Signal = { row: 17, index: 0, label: "Doble", scale: (value) => 2 * value };
+
+/** Where the clock of the tests begins. */
+const NOW_S = 1_700_000_000;
 
 let station: Station;
 let show: (signals: readonly Signal[]) => void;
@@ -107,3 +111,50 @@ test("what happened is said with the time since, until it leaves the picture", (
   station.pass(3000);
   expect(words()).not.toContain("k_roll");
 });
+
+test("it begins with what the station recorded before it was opened", async () => {
+  const name = "20261126T093243Z";
+  cleanup();
+  station = new Station(
+    <WordsProvider words={WORDS}>
+      <LivePlot signals={[ROLL, SPEED]} window_s={30} label="Alabeo" fromRecording />
+    </WordsProvider>,
+  );
+  const status = aStatus();
+  station.greet({ ...status, recording: { ...status.recording, file: `data/recordings/${name}.mcap` } });
+  station.send({ ahrs: { roll_deg: 3 } });
+  await asked(/\/topics$/).answer({
+    topics: [
+      {
+        ...{ name: "ahrs", first_s: 0, last_s: 9, count: 9 },
+        fields: [{ name: "roll_deg", unit: "deg", kind: "number" }],
+      },
+    ],
+  });
+  const question = asked(/\/signals\?/);
+  expect(question.path).toMatch(new RegExp(`/flights/${name}/signals\\?names=ahrs.roll_deg&`));
+  const before_s = [-20, -10, -9.5];
+  await question.answer({
+    starts_s: NOW_S,
+    from_s: 0,
+    to_s: 1,
+    signals: [
+      {
+        ...{ name: "ahrs.roll_deg", unit: "deg", count: 3, mean: null },
+        ...{ at_s: before_s, min: [1, -25, 2], max: [1, -25, 2] },
+      },
+    ],
+  });
+  for (let tenth = 0; tenth < 11; tenth += 1) {
+    station.send({ ahrs: { roll_deg: 3 } });
+  }
+  expect(words()).toBe("Roll: 3.0000 °, entre -25.000 y 3.0000. Vind: sin datos.");
+});
+
+function asked(path: RegExp): FakeRequest {
+  const found = station.asked.find((question) => path.test(question.path));
+  if (found === undefined) {
+    throw new Error(`nothing was asked at ${path}`);
+  }
+  return found;
+}

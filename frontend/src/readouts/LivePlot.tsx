@@ -1,17 +1,19 @@
 import "./plot.css";
 import { Pause, Play } from "lucide-react";
-import { useCallback, useEffect, useMemo, useRef, useState } from "react";
+import { useCallback, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatAge, formatMeasured } from "../lib/format";
-import { extent, type HistoryWindow, SignalHistory } from "../lib/signalHistory";
+import { extent, type HistoryWindow } from "../lib/signalHistory";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { Button } from "../ui/Button";
 import { Notice } from "../ui/Notice";
-import type { PlotData, PlotHandle, PlotMark } from "../ui/Plot";
+import type { PlotData, PlotHandle } from "../ui/Plot";
+import type { PlotMark } from "../ui/plotMarks";
 import { PlotKey, type PlotKeyHandle } from "./PlotKey";
-import { liveSignal, type Signal, signalKey } from "./signals";
+import { type Signal, signalKey } from "./signals";
 import { useLazyPlot } from "./useLazyPlot";
+import { useRecording } from "./useRecording";
 
 interface Props {
   signals: readonly Signal[];
@@ -23,6 +25,8 @@ interface Props {
   label: string;
   /** What happened, in its order: each is marked at the moment at which it was first given. */
   events?: readonly PlotEvent[];
+  /** Begin with what the station recorded before the plot was opened. */
+  fromRecording?: boolean;
 }
 
 export interface PlotEvent {
@@ -32,26 +36,27 @@ export interface PlotEvent {
 
 const NO_EVENTS: readonly PlotEvent[] = [];
 
-/** Shortest time between rows: a little under the period of 60 Hz. */
-const ROW_MS = 15;
-/** An unchanged value is recorded this often, so that the line before a step is flat. */
-const HELD_MS = 95;
-/** A longer pause of the page is drawn as a gap. */
-const LAPSE_MS = 1000;
 const SUMMARY_MS = 1000;
 
 /**
  * Signals over the last seconds, with gaps where they were not live: recorded in each animation frame, drawn ten
  * times a second, all without a render. A pause stops the drawing, not the recording. A sentence describes the plot.
  */
-export function LivePlot({ signals, window_s = 30, height, label, events = NO_EVENTS }: Props) {
+export function LivePlot({
+  signals,
+  window_s = 30,
+  height,
+  label,
+  events = NO_EVENTS,
+  fromRecording = false,
+}: Props) {
   const { t } = useTranslation();
   const plot = useRef<PlotHandle>(null);
   const key = useRef<PlotKeyHandle>(null);
   const summary = useRef<HTMLParagraphElement>(null);
   const [isPaused, setPaused] = useState(false);
   const shown = useStable(signals);
-  const recording = useRecording(shown, window_s);
+  const recording = useRecording(shown, window_s, fromRecording);
   const marksAt = useMarks(events);
   const point = useRef<number | null>(null);
   const frozen = useRef<{ window: HistoryWindow; marks: readonly PlotMark[] } | null>(null);
@@ -113,6 +118,7 @@ export function LivePlot({ signals, window_s = 30, height, label, events = NO_EV
     () =>
       shown.map((signal) => ({
         key: signalKey(signal),
+        name: signal.label,
         unit: signal.unit ?? "",
         least_span: signal.least_span,
       })),
@@ -156,55 +162,6 @@ function useStable(signals: readonly Signal[]): readonly Signal[] {
 
 function identity(signals: readonly Signal[]): string {
   return signals.map((signal) => `${signalKey(signal)} ${signal.label}`).join("\n");
-}
-
-/** The signals' values in the window that ends now. */
-type Recording = (telemetry: TelemetryStore, now_ms: number) => HistoryWindow;
-
-/**
- * Records the signals' values in each animation frame. Signals that stay keep their past when others are added or
- * removed.
- */
-function useRecording(signals: readonly Signal[], window_s: number): Recording {
-  const history = useRef<SignalHistory | null>(null);
-  const keys = useMemo(() => signals.map(signalKey), [signals]);
-  const capacity = Math.ceil((window_s * 1000) / ROW_MS) + 1;
-  useEffect(() => {
-    history.current = history.current?.withKeys(keys, capacity) ?? new SignalHistory(keys, capacity);
-  }, [keys, capacity]);
-
-  const last = useRef({ at_ms: Number.NEGATIVE_INFINITY, values: "", jumps: 0 });
-  const keep = useCallback(
-    (telemetry: TelemetryStore, page_ms: number) => {
-      const now_ms = telemetry.axis_s(page_ms) * 1000;
-      const { jumps } = telemetry;
-      if (jumps !== last.current.jumps) {
-        // A playback went back: what was recorded lies after what comes.
-        last.current = { at_ms: Number.NEGATIVE_INFINITY, values: "", jumps };
-        history.current?.clear();
-      }
-      const values = new Map(
-        signals.map((signal) => [signalKey(signal), liveSignal(telemetry, signal, page_ms)]),
-      );
-      const text = [...values.values()].join();
-      const since_ms = now_ms - last.current.at_ms;
-      if (since_ms >= HELD_MS || (text !== last.current.values && since_ms >= ROW_MS)) {
-        if (since_ms > LAPSE_MS) {
-          history.current?.append(now_ms / 1000, () => null);
-        }
-        last.current = { at_ms: now_ms, values: text, jumps };
-        history.current?.append(now_ms / 1000, (name) => values.get(name) ?? null);
-      }
-    },
-    [signals],
-  );
-  usePaint("movement", keep);
-
-  return useCallback(
-    (telemetry, now_ms) =>
-      history.current?.window(telemetry.axis_s(now_ms), window_s) ?? { before_s: [], values: new Map() },
-    [window_s],
-  );
 }
 
 function dataOf({ before_s, values }: HistoryWindow, signals: readonly Signal[]): PlotData {

@@ -3,6 +3,7 @@ import type uPlot from "uplot";
 import { drawnPlot, lineLook, unitAxes, unitsOf } from "./drawnPlot";
 import "./Plot.css";
 import { axisLook, type Look, roomy, scaleOf, steady } from "./plotLook";
+import { drawMarks, type PlotMark } from "./plotMarks";
 
 /** Times in seconds relative to now (zero or less), and each series' values; null is a gap. */
 export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
@@ -14,17 +15,12 @@ export interface PlotHandle {
 
 export interface PlotSeries {
   readonly key: string;
+  /** Stands at the axis of what has no unit. */
+  readonly name: string;
   /** Series of one unit share an axis. */
   readonly unit: string;
   /** The axis spans at least this, and ends at round numbers; the greatest of a unit counts. */
   readonly least_span?: number | undefined;
-}
-
-/** A moment to be marked by a line. */
-export interface PlotMark {
-  /** Relative to now, zero or less. */
-  readonly before_s: number;
-  readonly label: string;
 }
 
 interface Props {
@@ -127,7 +123,7 @@ function options(wanted: PlotOptions): Omit<uPlot.Options, "width" | "height"> {
         size: 2 * fontSize_px,
         values: (_, splits) => splits.map((split) => `${split} ${secondsUnit}`),
       },
-      ...unitAxes(units, wanted, ""),
+      ...unitAxes(units, wanted, namesWithoutUnit(series)),
     ],
     series: [
       {},
@@ -141,38 +137,24 @@ function options(wanted: PlotOptions): Omit<uPlot.Options, "width" | "height"> {
     ],
     hooks: {
       setCursor: [({ cursor }) => onPoint(cursor.idx ?? null)],
-      draw: [(plot) => drawMarks(plot, marks(), colour("--text"), look.font)],
+      draw: [
+        (plot) =>
+          drawMarks(plot, marks(), {
+            text: colour("--text"),
+            ground: colour("--surface-well"),
+            font: look.font,
+            ratio: devicePixelRatio,
+          }),
+      ],
     },
   };
+}
+
+function namesWithoutUnit(series: readonly PlotSeries[]): string {
+  return series.flatMap(({ unit, name }) => (unit === "" ? [name] : [])).join(", ");
 }
 
 function rangeOf(series: readonly PlotSeries[], unit: string) {
   const least_span = Math.max(...series.filter((one) => one.unit === unit).map((one) => one.least_span ?? 0));
   return least_span > 0 ? steady(least_span) : roomy;
-}
-
-/** A line from top to bottom for each mark, its label beside its top; later ones a line lower, so that none is covered. */
-function drawMarks(plot: uPlot, marks: readonly PlotMark[], colour: string, font: string): void {
-  const { ctx, bbox } = plot;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  ctx.clip();
-  ctx.font = font.replace(/^([\d.]+)px/, (_, px) => `${Number(px) * devicePixelRatio}px`);
-  ctx.fillStyle = colour;
-  ctx.strokeStyle = colour;
-  ctx.setLineDash([4 * devicePixelRatio, 4 * devicePixelRatio]);
-  const line_px = 1.2 * (Number.parseFloat(font) || 12) * devicePixelRatio;
-  for (const [index, { before_s, label }] of marks.entries()) {
-    const x = Math.round(plot.valToPos(before_s, "x", true));
-    ctx.beginPath();
-    ctx.moveTo(x, bbox.top);
-    ctx.lineTo(x, bbox.top + bbox.height);
-    ctx.stroke();
-    // At the right end there is no room beside the line.
-    const isLeft = x + ctx.measureText(label).width + 8 > bbox.left + bbox.width;
-    ctx.textAlign = isLeft ? "right" : "left";
-    ctx.fillText(label, x + (isLeft ? -4 : 4), bbox.top + line_px * (1 + (index % 3)));
-  }
-  ctx.restore();
 }

@@ -43,8 +43,8 @@ export function unitsOf(series: ReadonlyArray<{ readonly unit: string }>): strin
   return [...new Set(series.map(({ unit }) => unit))];
 }
 
-/** An axis for each unit that there is room for. `noUnit` stands where a unit would; "" leaves no room for one. */
-export function unitAxes(units: readonly string[], look: Look, noUnit: "" | " "): uPlot.Axis[] {
+/** An axis for each unit that there is room for. `noUnit` is the label of the axis without one; it keeps its place. */
+export function unitAxes(units: readonly string[], look: Look, noUnit: string): uPlot.Axis[] {
   return units.slice(0, MOST_AXES).map((unit, index) => ({
     ...axisLook(look),
     scale: scaleOf(unit),
@@ -52,9 +52,10 @@ export function unitAxes(units: readonly string[], look: Look, noUnit: "" | " ")
     values: (_, splits, _axis, _space, step) => splits.map((split) => axisNumber(split, step)),
     size: (_, values) => axisWidth(values, look.fontSize_px),
     ...(index === 0 ? {} : { grid: { show: false } }),
-    ...((unit || noUnit) === ""
-      ? {}
-      : { label: unit || noUnit, labelSize: 1.5 * look.fontSize_px, labelGap: 0 }),
+    // Each axis has one, so that a label always belongs to the numbers on its inner side.
+    label: unit || noUnit || " ",
+    labelSize: 1.5 * look.fontSize_px,
+    labelGap: 0,
   }));
 }
 

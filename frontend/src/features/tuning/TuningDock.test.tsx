@@ -40,6 +40,17 @@ describe("the tuning view", () => {
     expect(told()?.split("→").length).toBe(count);
   });
 
+  test("draws the roll that the autopilot asks for, by its law and the gain that the board has", async () => {
+    await openPage();
+    await user.click(within(row("k_roll")).getByRole("button", { name: "Ajustar k_roll con gráfica" }));
+    station.send({
+      heartbeat: { autopilot_hil: true },
+      fms_hil_plan: { bearing_deg: 100, distance_m: 5000, speed_kt: 50 },
+      simulator: { horizontal_path_deg: 90, roll_deg: 3 },
+    });
+    expect(within(dock()).getByRole("figure").textContent).toContain("Roll pedido8.0000°");
+  });
+
   test("can show another loop, and be closed", async () => {
     await openPage();
     await user.click(within(row("k_roll")).getByRole("button", { name: "Ajustar k_roll con gráfica" }));

@@ -1,5 +1,5 @@
 import { Maximize2, Minimize2, X } from "lucide-react";
-import { Fragment, type ReactNode, useMemo, useState } from "react";
+import { Fragment, type ReactNode, useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
@@ -18,6 +18,7 @@ import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
+import { rollDemand } from "./rollDemand";
 import "./tuning.css";
 
 interface Props {
@@ -43,7 +44,7 @@ export function TuningDock({ field, values }: Props) {
     ({ choices }) => AIRCRAFT.find((one) => one === choices["tuning.aircraft"]) ?? "hil",
   );
   const isLarge = useSettings(({ choices }) => choices["tuning.size"] === "large");
-  const signals = useSignals(loop, aircraft);
+  const signals = useSignals(loop, aircraft, values.k_heading);
   const changes = useChanges(values);
   if (loop === null) {
     return null;
@@ -98,29 +99,36 @@ export function TuningDock({ field, values }: Props) {
           signals={signals}
           label={t("tuning.plot", { loop: t(`tuningLoop.${loop}`) })}
           events={changes}
+          fromRecording
         />
       </div>
     </section>
   );
 }
 
-function useSignals(loop: LoopName | null, aircraft: Aircraft): readonly Signal[] {
+function useSignals(loop: LoopName | null, aircraft: Aircraft, k_heading: number | null): readonly Signal[] {
   const { t } = useTranslation();
-  return useMemo(
-    () =>
-      loop === null
-        ? []
-        : loopSignals(loop, aircraft).map(
-            ([name, { unit, ...signal }]): Signal => ({
-              ...signal,
-              label: t(`signal.${name}`),
-              least_span: LEAST_SPAN[unit ?? "none"],
-              ...(TURNING.has(name) ? { turn: 360 } : {}),
-              ...(unit === null ? {} : { unit: t(`unit.${unit}`) }),
-            }),
-          ),
-    [t, loop, aircraft],
-  );
+  // Read with each value, so that another gain is no other signal: its line goes on.
+  const gain = useRef(k_heading);
+  useEffect(() => {
+    gain.current = k_heading;
+  }, [k_heading]);
+  return useMemo(() => {
+    const moved = (loop === null ? [] : loopSignals(loop, aircraft)).map(
+      ([name, { unit, ...signal }]): Signal => ({
+        ...signal,
+        label: t(`signal.${name}`),
+        least_span: LEAST_SPAN[unit ?? "none"],
+        ...(TURNING.has(name) ? { turn: 360 } : {}),
+        ...(unit === null ? {} : { unit: t(`unit.${unit}`) }),
+      }),
+    );
+    if (loop !== "roll" && loop !== "heading") {
+      return moved;
+    }
+    const text = { label: t("signal.rollAsked"), least_span: LEAST_SPAN.deg, unit: t("unit.deg") };
+    return [rollDemand(aircraft, () => gain.current, text), ...moved];
+  }, [t, loop, aircraft]);
 }
 
 /** As many changes as a plot of half a minute can show. */
