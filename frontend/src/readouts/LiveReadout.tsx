@@ -20,6 +20,8 @@ export interface ReadoutLayout {
 export interface ReadoutRow<Field extends string = string> extends ReadoutLayout {
   readonly field: Field;
   readonly label: ParseKeys;
+  /** What the label means, where it is a word of the simulator's or of the wire. */
+  readonly hint?: ParseKeys;
   /** Shown before the label where readouts of several groups are together: "Analog · Speed". */
   readonly group?: ParseKeys;
   /** A quantity is shown in the user's unit; its wire unit is the end of the field's name. */
@@ -63,7 +65,7 @@ interface ReadoutText extends Omit<Props, "as"> {
 }
 
 function PaintedReadout(props: ReadoutText) {
-  const { topic, field, format, label, group, unit, word, chars, size, press } = props;
+  const { topic, field, format, label, hint, group, unit, word, chars, size, press } = props;
   const { t } = useTranslation();
   const readout = useRef<ReadoutHandle>(null);
   const paint = useCallback(
@@ -78,6 +80,7 @@ function PaintedReadout(props: ReadoutText) {
     <Readout
       ref={readout}
       label={name}
+      hint={hint === undefined ? undefined : t(hint)}
       unit={word ?? (unit === undefined ? undefined : t(unit))}
       chars={chars}
       size={size}

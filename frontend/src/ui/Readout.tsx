@@ -44,6 +44,8 @@ export interface ReadoutPress {
 interface Props {
   ref?: Ref<ReadoutHandle>;
   label: string;
+  /** What the label means, where it is a word of the simulator's or of the wire. */
+  hint?: string | undefined;
   unit?: string | undefined;
   /** Room for the number, in characters. A longer number takes more room and is not cut. */
   chars?: number | undefined;
@@ -55,7 +57,7 @@ interface Props {
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
 /** One reading: name, number, unit, and whether it is live. Painted through its handle, without a render. */
-export function Readout({ ref, label, unit, chars = 7, size = "normal", press }: Props) {
+export function Readout({ ref, label, hint, unit, chars = 7, size = "normal", press }: Props) {
   const words = useWords();
   const root = useRef<HTMLDivElement>(null);
   const number = useRef<SteadyTextHandle>(null);
@@ -85,7 +87,9 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal", press }:
 
   return (
     <div ref={root} className="ui-readout" data-size={size}>
-      <dt className="ui-readout-label">{label}</dt>
+      <dt className="ui-readout-label" title={hint}>
+        {label}
+      </dt>
       <dd className="ui-readout-value">
         <SteadyText ref={number} chars={chars} initial={DASHES} className="ui-readout-number" />
         {unit !== undefined && <span className="ui-readout-unit">{unit}</span>}

@@ -42,6 +42,11 @@ test("every value of the simulator is shown in its own unit", () => {
   expect(number("GPS", "Latitud")).toBe("27.948013");
 });
 
+test("the simulator's own words say what they mean", () => {
+  expect(screen.getByText("Gnorml").title).toBe("Factor de carga perpendicular a las alas");
+  expect(screen.getByText("hding").title).toBe("Rumbo de la trayectoria sobre el suelo");
+});
+
 test("a row that has not arrived gives no values", () => {
   station.send({ simulator: { mach: 0.08 } });
   expect(number("ADS", "Vind")).not.toMatch(/\d/);

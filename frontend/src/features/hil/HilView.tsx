@@ -34,7 +34,7 @@ const GROUPS: readonly ReadoutGroup[] = [
     size: "large",
     topic: "simulator",
     rows: [
-      { field: "indicated_airspeed_kt", label: "hil.airspeed", as: "speed", unit: "unit.kias" },
+      { field: "indicated_airspeed_kt", label: "hil.airspeed", hint: "hilHint.airspeed", as: "speed", unit: "unit.kias" },
       { field: "altitude_indicated_ft", label: "hil.altitude", as: "altitude" },
     ],
   },
@@ -63,10 +63,10 @@ const GROUPS: readonly ReadoutGroup[] = [
     className: "hil-paths",
     topic: "simulator",
     rows: [
-      { field: "alpha_deg", label: "hil.alpha", as: FINE_ANGLE },
-      { field: "beta_deg", label: "hil.beta", as: FINE_ANGLE },
-      { field: "horizontal_path_deg", label: "hil.horizontalPath", as: HEADING },
-      { field: "vertical_path_deg", label: "hil.verticalPath", as: FINE_ANGLE },
+      { field: "alpha_deg", label: "hil.alpha", hint: "hilHint.alpha", as: FINE_ANGLE },
+      { field: "beta_deg", label: "hil.beta", hint: "hilHint.beta", as: FINE_ANGLE },
+      { field: "horizontal_path_deg", label: "hil.horizontalPath", hint: "hilHint.horizontalPath", as: HEADING },
+      { field: "vertical_path_deg", label: "hil.verticalPath", hint: "hilHint.verticalPath", as: FINE_ANGLE },
     ],
   },
   {
@@ -75,10 +75,10 @@ const GROUPS: readonly ReadoutGroup[] = [
     topic: "simulator",
     rows: [
       { field: "mach", label: "hil.mach", as: THOUSANDTHS },
-      { field: "vvi_ft_min", label: "hil.vvi", as: "verticalSpeed" },
-      { field: "g_normal", label: "hil.gNormal", as: LOAD },
-      { field: "g_axial", label: "hil.gAxial", as: LOAD },
-      { field: "g_side", label: "hil.gSide", as: LOAD },
+      { field: "vvi_ft_min", label: "hil.vvi", hint: "hilHint.vvi", as: "verticalSpeed" },
+      { field: "g_normal", label: "hil.gNormal", hint: "hilHint.gNormal", as: LOAD },
+      { field: "g_axial", label: "hil.gAxial", hint: "hilHint.gAxial", as: LOAD },
+      { field: "g_side", label: "hil.gSide", hint: "hilHint.gSide", as: LOAD },
     ],
   },
 ];
