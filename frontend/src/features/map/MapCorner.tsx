@@ -1,5 +1,5 @@
 import { Compass, House, Maximize } from "lucide-react";
-import { useEffect, useRef } from "react";
+import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CAMERA_CHOICE, cameraOf } from "../../lib/mapCamera";
 import { METRES_PER_FOOT, roundLength } from "../../lib/units";
@@ -20,11 +20,18 @@ const LONGEST_PX = 130;
 
 /** Common to both maps: scale, position under the pointer, north, and buttons to go back. */
 export function MapCorner() {
+  const { t } = useTranslation();
+  const [isDrawn, setDrawn] = useState(false);
   return (
     <>
       <ViewButtons />
-      <div className="map-legend">
-        <ScaleBar />
+      {!isDrawn && (
+        <p className="map-loading" role="status">
+          {t("map.view.loading")}
+        </p>
+      )}
+      <div className="map-legend" hidden={!isDrawn}>
+        <ScaleBar onDrawn={setDrawn} />
         <PointerPlace />
       </div>
     </>
@@ -89,8 +96,8 @@ function ViewButtons() {
   );
 }
 
-/** The scale bar for the middle of the picture, and the north arrow. */
-function ScaleBar() {
+/** The scale bar for the middle of the picture, and the north arrow. `onDrawn`: whether there is a picture. */
+function ScaleBar({ onDrawn }: { readonly onDrawn: (isDrawn: boolean) => void }) {
   const { t } = useTranslation();
   const tools = useMapTools();
   const distance = useUnit("distance");
@@ -99,6 +106,7 @@ function ScaleBar() {
   const needle = useRef<HTMLSpanElement>(null);
   useEffect(() => {
     tools?.onScale((scale) => {
+      onDrawn(true);
       if (bar.current !== null && text.current !== null && needle.current !== null) {
         const { width_px, length } = barOf(scale.metresPerPixel, distance);
         needle.current.style.transform = `rotate(${(-scale.heading_deg).toFixed(0)}deg)`;
@@ -108,7 +116,8 @@ function ScaleBar() {
       }
     });
     return () => tools?.onScale(null);
-  }, [tools, distance]);
+  }, [tools, distance, onDrawn]);
+  useEffect(() => () => onDrawn(false), [tools, onDrawn]);
   return (
     <span className="map-scale">
       <span ref={needle} className="map-needle" role="img" aria-label={t("map.tools.north")} />

@@ -48,6 +48,8 @@ export class MapTools {
   #onScale: ((scale: MapScale) => void) | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #told_ms = 0;
+  /** Whether the picture before this one was drawn: the first can take many seconds. */
+  #hasDrawn = false;
   #wanted: { readonly sphere: BoundingSphere; pictures: number } | null = null;
 
   constructor(globe: Globe) {
@@ -74,6 +76,7 @@ export class MapTools {
     return this.#pointer.onHover(listener);
   }
 
+  /** Not before the first picture is drawn. */
   onScale(listener: ((scale: MapScale) => void) | null): void {
     this.#onScale = listener;
   }
@@ -168,7 +171,9 @@ export class MapTools {
 
   #beforePicture(now_ms: number): void {
     this.#look();
-    if (this.#onScale !== null && now_ms - this.#told_ms >= SCALE_MS) {
+    const hasDrawn = this.#hasDrawn;
+    this.#hasDrawn = true;
+    if (hasDrawn && this.#onScale !== null && now_ms - this.#told_ms >= SCALE_MS) {
       this.#told_ms = now_ms;
       this.#onScale({
         heading_deg: CesiumMath.toDegrees(this.#globe.scene.camera.heading),
