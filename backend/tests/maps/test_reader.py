@@ -37,8 +37,8 @@ def test_what_is_read_there_is_what_is_read_here(reader: Reader, tmp_path: Path)
     path = write_mbtiles(tmp_path / "a.mbtiles", {(2, 1, 3): png(2)}, name="Gando", format="png")
     source = MbTiles(path, "a")
     assert reader.describe(path, "a", "mbtiles", STAMP) == source.description
-    assert reader.tile(path, "a", "mbtiles", STAMP, 2, 1, 0) == source.tile(2, 1, 0) != None  # noqa: E711
-    assert reader.tile(path, "a", "mbtiles", STAMP, 2, 0, 0) is None
+    assert reader.tile(path, "a", "mbtiles", STAMP, (2, 1, 0)) == source.tile(2, 1, 0) != None  # noqa: E711
+    assert reader.tile(path, "a", "mbtiles", STAMP, (2, 0, 0)) is None
     source.close()
 
 
@@ -61,7 +61,7 @@ def test_a_file_that_takes_too_long_is_ended_and_not_asked_again(reader: Reader,
     good = write_pmtiles(tmp_path / "good.pmtiles", {(0, 0, 0): png(7)})
     with ThreadPoolExecutor(3) as viewers:
         held = [viewers.submit(reader.describe, slow, "slow.mbtiles", "mbtiles", STAMP) for _ in range(2)]
-        found = viewers.submit(reader.tile, good, "good", "pmtiles", STAMP, 0, 0, 0).result()
+        found = viewers.submit(reader.tile, good, "good", "pmtiles", STAMP, (0, 0, 0)).result()
         assert found is not None
         assert found.data == png(7)
         for one in held:
@@ -69,26 +69,26 @@ def test_a_file_that_takes_too_long_is_ended_and_not_asked_again(reader: Reader,
                 one.result()
             assert why(caught) == TOO_COSTLY
     with pytest.raises(GatewayError) as caught:
-        reader.tile(slow, "slow.mbtiles", "mbtiles", STAMP, 0, 0, 0)
+        reader.tile(slow, "slow.mbtiles", "mbtiles", STAMP, (0, 0, 0))
     assert why(caught) == TOO_COSTLY
-    assert reader.tile(good, "good", "pmtiles", STAMP, 0, 0, 0) == found, "a new process took its place"
+    assert reader.tile(good, "good", "pmtiles", STAMP, (0, 0, 0)) == found, "a new process took its place"
 
 
 def test_a_process_that_died_is_followed_by_another(reader: Reader, tmp_path: Path) -> None:
     path = write_pmtiles(tmp_path / "a.pmtiles", {(0, 0, 0): png(7)})
-    first = reader.tile(path, "a", "pmtiles", STAMP, 0, 0, 0)
+    first = reader.tile(path, "a", "pmtiles", STAMP, (0, 0, 0))
     for worker in reader._workers:
         if worker._process is not None:
             worker._process.kill()
             worker._process.wait()
-    assert reader.tile(path, "a", "pmtiles", STAMP, 0, 0, 0) == first != None  # noqa: E711
+    assert reader.tile(path, "a", "pmtiles", STAMP, (0, 0, 0)) == first != None  # noqa: E711
 
 
 def test_a_file_is_let_go_before_it_moves(reader: Reader, tmp_path: Path) -> None:
     path = write_pmtiles(tmp_path / "a.pmtiles", {(0, 0, 0): png(1)})
-    assert reader.tile(path, "a", "pmtiles", STAMP, 0, 0, 0) is not None
+    assert reader.tile(path, "a", "pmtiles", STAMP, (0, 0, 0)) is not None
     reader.forget(path)
     write_pmtiles(path, {(0, 0, 0): png(2)})
-    tile = reader.tile(path, "a", "pmtiles", STAMP, 0, 0, 0)
+    tile = reader.tile(path, "a", "pmtiles", STAMP, (0, 0, 0))
     assert tile is not None
     assert tile.data == png(2)

@@ -97,6 +97,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/map/imports/{import_id}", method: "GET", tag: "maps", least: "viewer", control: false },
   { path: "/map/layers", method: "GET", tag: "maps", least: "viewer", control: false },
   { path: "/map/layers/{layer_id}", method: "DELETE", tag: "maps", least: "operator", control: true },
+  { path: "/map/layers/{layer_id}/datum", method: "PUT", tag: "maps", least: "operator", control: true },
   { path: "/map/layers/{layer_id}/file", method: "GET", tag: "maps", least: "viewer", control: false },
   { path: "/map/layers/{layer_id}/proof", method: "POST", tag: "maps", least: "operator", control: false },
   { path: "/map/layers/{layer_id}/restore", method: "POST", tag: "maps", least: "operator", control: true },

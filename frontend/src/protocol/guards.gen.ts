@@ -78,9 +78,11 @@ export const isTrackPlace = shape({
 export type TrackPlace = Checked<typeof isTrackPlace>;
 
 /** Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
- * there is a warning. `outside`: beyond the fence's border or over its ceiling. */
+ * there is a warning. `outside`: beyond the fence's border or over its ceiling. `datum_unknown`: nobody has said what
+ * the heights of the ground here count from, so that they may be off by the geoid's height. */
 export const isAircraftAround = shape({
   blind: nullable(oneOf("no_position", "no_heights", "no_heights_here")),
+  datum_unknown: isFlag,
   fence: nullable(isThreatAhead),
   ground_ft: nullable(isNumber),
   height_ft: nullable(isNumber),
@@ -1286,12 +1288,19 @@ export const isMapImport = shape({
 });
 export type MapImport = Checked<typeof isMapImport>;
 
-/** A layer that can be chosen, or says why it cannot. */
+/** A layer that can be chosen, or says why it cannot.
+ *
+ * Of terrain alone: `datum`, what its heights count from, the sea (orthometric) or the ellipsoid; None: not known, and
+ * taken for the sea until somebody chooses. `datum_stated`: the set says it itself. `geoid_m`: how high the sea is
+ * above the ellipsoid in its middle. */
 export const isMapLayer = shape({
   attribution: isText,
   bytes: isNumber,
+  datum: nullable(oneOf("orthometric", "ellipsoidal")),
+  datum_stated: isFlag,
   east_deg: isNumber,
   format: oneOf("mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_vector", "field_terrain"),
+  geoid_m: nullable(isNumber),
   id: isText,
   kind: oneOf("imagery", "terrain", "vector"),
   maximum_zoom: isNumber,

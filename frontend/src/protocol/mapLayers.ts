@@ -2,6 +2,9 @@ import type { MapLayer, OnlineSource, OnlineState } from "./guards.gen";
 
 export type { MapImport, MapLayer, OnlineSource } from "./guards.gen";
 
+/** What heights count from: the sea, or the ellipsoid WGS 84. */
+export type Datum = NonNullable<MapLayer["datum"]>;
+
 /** Maps of the internet: off until somebody switches them on. */
 export type MapOnline = OnlineState;
 

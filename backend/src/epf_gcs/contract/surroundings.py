@@ -30,7 +30,8 @@ class ThreatAhead(Shape):
 @dataclass(frozen=True, slots=True)
 class AircraftAround(Shape):
     """Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
-    there is a warning. `outside`: beyond the fence's border or over its ceiling."""
+    there is a warning. `outside`: beyond the fence's border or over its ceiling. `datum_unknown`: nobody has said what
+    the heights of the ground here count from, so that they may be off by the geoid's height."""
 
     blind: Literal["no_position", "no_heights", "no_heights_here"] | None = None
     ground_ft: float | None = None
@@ -38,6 +39,7 @@ class AircraftAround(Shape):
     terrain: ThreatAhead | None = None
     fence: ThreatAhead | None = None
     outside: bool = False
+    datum_unknown: bool = False
     path: list[TrackPlace] = field(default_factory=list)
 
 

@@ -16,6 +16,9 @@ import numpy.typing as npt
 CELLS: Final = 64
 """Cells along each side of a tile, which has one point more."""
 
+LARGEST: Final = 32767
+"""Positions and heights are shares of this."""
+
 KNOWN_EXTENSION: Final = 100
 """Our own extension of the format, which other readers skip: a bit for each point of the grid, row by row from the
 south, set where the source knows the height."""
@@ -26,7 +29,6 @@ _Vectors = npt.NDArray[np.float64]
 
 # WGS 84, in metres.
 _RADII_M: Final = np.array([6378137.0, 6378137.0, 6356752.314245179])
-_LARGEST: Final = 32767
 _HEADER: Final = struct.Struct("<3d2f3dd3d")
 # Used as distance of the occlusion point for tiles so wide that no such point exists: they are never culled.
 _NEVER_HIDDEN: Final = 1e3
@@ -73,17 +75,17 @@ def encode_tile(zoom: int, column: int, row: int, heights_m: Heights, known: Kno
     `known`: which of them the source has; None: all. The others are drawn too, but are no heights.
     """
     grid = _grid()
-    longitudes_deg, latitudes_deg = tile_nodes(zoom, column, row)
+    longitude, latitude = np.meshgrid(*tile_nodes(zoom, column, row))
     lowest_m, highest_m = float(heights_m.min()), float(heights_m.max())
     span_m = highest_m - lowest_m
-    scale = _LARGEST / span_m if span_m > 0 else 0.0
+    scale = LARGEST / span_m if span_m > 0 else 0.0
     quantized = np.round((heights_m.ravel()[grid.order] - lowest_m) * scale).astype(np.int64)
     return b"".join(
         (
-            _header(longitudes_deg, latitudes_deg, heights_m, lowest_m, highest_m),
+            mesh_header(longitude.ravel(), latitude.ravel(), heights_m.ravel()),
             struct.pack("<I", grid.order.size),
             grid.positions,
-            _zigzag(quantized),
+            zigzag(quantized),
             grid.indices,
             b"" if known is None or bool(known.all()) else _extension(KNOWN_EXTENSION, np.packbits(known).tobytes()),
         )
@@ -94,15 +96,13 @@ def _extension(number: int, data: bytes) -> bytes:
     return struct.pack("<BI", number, len(data)) + data
 
 
-def _header(
-    longitudes_deg: _Vectors, latitudes_deg: _Vectors, heights_m: Heights, lowest_m: float, highest_m: float
-) -> bytes:
-    longitude, latitude = np.meshgrid(longitudes_deg, latitudes_deg)
-    points_m = earth_points(longitude.ravel(), latitude.ravel(), heights_m.ravel())
+def mesh_header(longitude_deg: _Vectors, latitude_deg: _Vectors, height_m: _Vectors) -> bytes:
+    """The header of a tile with these vertices."""
+    points_m = earth_points(longitude_deg, latitude_deg, height_m)
     centre_m = (points_m.min(axis=0) + points_m.max(axis=0)) / 2.0
     radius_m = float(np.sqrt(((points_m - centre_m) ** 2).sum(axis=1)).max())
     hiding = _hiding_point(points_m, centre_m)
-    return _HEADER.pack(*centre_m, lowest_m, highest_m, *centre_m, radius_m, *hiding)
+    return _HEADER.pack(*centre_m, float(height_m.min()), float(height_m.max()), *centre_m, radius_m, *hiding)
 
 
 def earth_points(longitude_deg: _Vectors, latitude_deg: _Vectors, height_m: _Vectors) -> _Vectors:
@@ -149,16 +149,16 @@ def _grid() -> _Grid:
     order = places[np.argsort(first_use)]
     number = np.empty(side * side, dtype=np.int64)
     number[order] = np.arange(order.size)
-    u = np.round(order % side * (_LARGEST / CELLS)).astype(np.int64)
-    v = np.round(order // side * (_LARGEST / CELLS)).astype(np.int64)
+    u = np.round(order % side * (LARGEST / CELLS)).astype(np.int64)
+    v = np.round(order // side * (LARGEST / CELLS)).astype(np.int64)
     along = np.arange(side)
     edges = (along * side, along, along * side + CELLS, CELLS * side + along)  # west, south, east, north
     packed_edges = [struct.pack("<I", side) + number[edge].astype("<u2").tobytes() for edge in edges]
     indices = struct.pack("<I", triangles.size // 3) + _below_highest(number[triangles]) + b"".join(packed_edges)
-    return _Grid(order, _zigzag(u) + _zigzag(v), indices)
+    return _Grid(order, zigzag(u) + zigzag(v), indices)
 
 
-def _zigzag(values: npt.NDArray[np.int64]) -> bytes:
+def zigzag(values: npt.NDArray[np.int64]) -> bytes:
     """Differences of neighbouring values in zigzag encoding: the sign is in the lowest bit."""
     steps = np.diff(values, prepend=0)
     return ((steps << 1) ^ (steps >> 63)).astype("<u2").tobytes()

@@ -17,12 +17,15 @@ from epf_gcs.formats.quantized_mesh import CELLS, KNOWN_EXTENSION
 SIDE: Final = CELLS + 1
 """Points along each side of the grid, on the tile's borders too."""
 
+HEIGHTS: Final = struct.Struct("<2f")
+"""The lowest and the highest height, metres."""
+HEIGHTS_AT: Final = 24
+VERTICES_AT: Final = 88
+"""Where the number of vertices is."""
+
 _MOST_BYTES: Final = 16_000_000
 _MOST_TRIANGLES: Final = 200_000
 _LARGEST: Final = 32767.0
-_HEIGHTS: Final = struct.Struct("<2f")
-_HEIGHTS_AT: Final = 24
-_VERTICES_AT: Final = 88
 _SHORT_INDICES: Final = 65_536
 # A place on a common edge is in one of the triangles, whatever the rounding.
 _EDGE: Final = -1e-9
@@ -38,14 +41,15 @@ def read_grid(data: bytes) -> bytes:
 
     Raises ValueError if it is no tile of terrain, or one of too many triangles.
     """
-    data = _unpacked(data)
+    data = unpacked(data)
     try:
         return _grid(data).astype("<f4").tobytes()
     except (struct.error, IndexError) as error:
         raise ValueError("a tile of terrain is cut off") from error
 
 
-def _unpacked(data: bytes) -> bytes:
+def unpacked(data: bytes) -> bytes:
+    """The tile without gzip. Raises ValueError if it is damaged or too large."""
     if not data.startswith(_GZIP):
         return data
     unpacking = zlib.decompressobj(wbits=31)
@@ -59,13 +63,13 @@ def _unpacked(data: bytes) -> bytes:
 
 
 def _grid(data: bytes) -> npt.NDArray[np.float64]:
-    lowest_m, highest_m = _HEIGHTS.unpack_from(data, _HEIGHTS_AT)
-    (count,) = struct.unpack_from("<I", data, _VERTICES_AT)
+    lowest_m, highest_m = HEIGHTS.unpack_from(data, HEIGHTS_AT)
+    (count,) = struct.unpack_from("<I", data, VERTICES_AT)
     width = 4 if count > _SHORT_INDICES else 2
-    at = _VERTICES_AT + 4
+    at = VERTICES_AT + 4
     if count == 0 or at + 6 * count > len(data):
         raise ValueError("a tile of terrain is cut off")
-    u, v, h = (_unzigzag(data, at + 2 * count * which, count) for which in range(3))
+    u, v, h = (unzigzag(data, at + 2 * count * which, count) for which in range(3))
     at += 6 * count
     at += -at % width
     (triangles,) = struct.unpack_from("<I", data, at)
@@ -137,7 +141,8 @@ def _known(data: bytes, at: int, width: int) -> npt.NDArray[np.bool_] | None:
     return None
 
 
-def _unzigzag(data: bytes, at: int, count: int) -> _Numbers:
+def unzigzag(data: bytes, at: int, count: int) -> _Numbers:
+    """`count` numbers at this place, each kept as its difference from the one before."""
     codes = _numbers(data, at, count, 2)
     return np.cumsum((codes >> 1) ^ -(codes & 1))
 

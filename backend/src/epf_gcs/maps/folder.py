@@ -9,8 +9,9 @@ from typing import Final
 
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.maps import faults
+from epf_gcs.maps.datum import DATUM_OF_FORMAT, DatumChoices
 from epf_gcs.maps.files import FIELD_SETS, RASTERS, MapFile, folder_bytes, free_name, look_at, sets_of
-from epf_gcs.maps.layer import UNKNOWN, Description, Layer, LayerFormat, Tile
+from epf_gcs.maps.layer import UNKNOWN, Datum, Description, Layer, LayerFormat, Tile
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.maps.reader import Reader, is_too_costly
 
@@ -21,6 +22,8 @@ _MOST_ARCHIVES: Final = 200
 # What a set of tiles says that the file of a field does not have.
 _ABSENT: Final = "map_file_empty"
 
+
+_DATUM_STAMP: Final = {None: 0, "orthometric": 1, "ellipsoidal": 2}
 
 # 2: tiles say which heights the raster has.
 _MADE: Final = 2
@@ -39,6 +42,7 @@ class MapFolder:
         self._report = report
         self._lock = Lock()
         self._reader = Reader() if reader is None else reader
+        self._datums = DatumChoices(path)
         self._files: dict[str, MapFile] = {}
         self._known: dict[str, tuple[Stamp, int, Description | GatewayError]] = {}
         self._inside: dict[tuple[Path, Stamp], str | None] = {}
@@ -52,18 +56,22 @@ class MapFolder:
         return [layer for layer in found if not _is_absent_set(layer)]
 
     def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Description, Stamp]:
-        """A tile, and its layer's description and stamp. Raises NotFoundError, or why the file cannot be read."""
+        """A tile, and its layer's description and stamp; terrain has heights above the sea. Raises
+        NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
         stamp = self._source_stamp(file)
         description = self._description(file, stamp)
         if not _is_inside(description, zoom, column, row):
             return None, description, stamp
         path, form = self._tiles_of(file)
-        return self._reader.tile(path, file.path.name, form, stamp, zoom, column, row), description, stamp
+        datum = self._datum(file, description)
+        tile = self._reader.tile(path, file.path.name, form, stamp, (zoom, column, row), datum)
+        # Another datum makes other tiles of the same file.
+        return tile, description, (*stamp, _DATUM_STAMP[datum])
 
     def grid(self, layer_id: str, zoom: int, column: int, row: int) -> bytes | None:
-        """The heights of a tile of terrain (`formats.quantized_mesh_reading`); None if there is no such tile. Rows from
-        the south. Raises NotFoundError, or why the file cannot be read."""
+        """The heights above the sea of a tile of terrain (`formats.quantized_mesh_reading`); None if there is no
+        such tile. Rows from the south. Raises NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
         stamp = self._source_stamp(file)
         description = self._description(file, stamp)
@@ -73,12 +81,24 @@ class MapFolder:
         if not _is_inside(description, zoom, column, at_row):
             return None
         path, form = self._tiles_of(file)
-        return self._reader.grid(path, file.path.name, form, stamp, zoom, column, at_row)
+        datum = self._datum(file, description)
+        return self._reader.grid(path, file.path.name, form, stamp, (zoom, column, at_row), datum)
 
     def description(self, layer_id: str) -> Description:
         """A layer's description. Raises NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
         return self._description(file, self._source_stamp(file))
+
+    def datum(self, layer_id: str) -> Datum | None:
+        """What a layer's heights count from; None: not known, and taken for the sea. Raises as `description`."""
+        file = self._find(layer_id)
+        return self._datum(file, self._description(file, self._source_stamp(file)))
+
+    def choose_datum(self, layer_id: str, datum: Datum) -> None:
+        """Say what a layer's heights count from, until its file changes. Raises NotFoundError, ConflictError."""
+        file = self._find(layer_id)
+        with self._lock:
+            self._datums.put(file.id, file.stamp, datum)
 
     def remove(self, layer_id: str) -> None:
         """Take a map out of the list; its file is moved to the folder of removed maps."""
@@ -184,7 +204,15 @@ class MapFolder:
         size_bytes, found = self._look_up(file, stamp)
         if isinstance(found, GatewayError):
             return Layer(file.id, file.path.name, file.format, _kind_of(file), size_bytes, found)
-        return Layer(file.id, found.title or file.path.stem, file.format, found, size_bytes)
+        return Layer(
+            file.id, found.title or file.path.stem, file.format, found, size_bytes, None, self._datum(file, found)
+        )
+
+    def _datum(self, file: MapFile, description: Description) -> Datum | None:
+        if description.kind != "terrain":
+            return None
+        stated = description.datum or DATUM_OF_FORMAT.get(file.format)
+        return self._datums.of(file.id, file.stamp) or stated
 
     def _first_shown(self, file: MapFile) -> MapFile:
         """The first of the file's sets of tiles that can be shown. Raises why there is none."""

@@ -16,7 +16,8 @@ from rasterio.warp import transform, transform_bounds
 from rasterio.windows import Window
 
 from epf_gcs.maps import faults
-from epf_gcs.maps.layer import Bounds
+from epf_gcs.maps.datum import DATUM_OF_FORMAT, datum_in
+from epf_gcs.maps.layer import Bounds, Datum
 from epf_gcs.units import M_PER_FT
 
 # Allow no other drivers: some of the library's follow references to other files and hosts.
@@ -31,6 +32,9 @@ _M_PER_UNIT: Final = {
     "us survey foot": 1200 / 3937,
 }
 _PLACE_IN_NAME: Final = re.compile(r"[NS]\d\d[EW]\d{3}", re.IGNORECASE)
+# The name of the vertical part, and of its datum.
+_VERTICAL: Final = re.compile(r"\b(?:VERT_CS|VERTCRS|VERTICALCRS)\[(.*)", re.DOTALL)
+_EARTH_3D: Final = 4979
 _QUOTED_PATH: Final = re.compile(r"^'[^']*'\s*")
 # Margin, as a share of the size: a projected edge bends beyond the points that the bounds are calculated from.
 _BEYOND_BOUNDS: Final = 0.02
@@ -73,6 +77,7 @@ class Heights:
             raise faults.no_place(name)
         self._to_metres = _M_PER_UNIT.get((raster.units[0] or "").strip().lower(), 1.0)
         self._is_geographic = raster.crs.to_epsg() == 4326
+        self.datum = DATUM_OF_FORMAT["hgt"] if driver != _OTHER_DRIVER else _stated_datum(where)
 
     @property
     def pixel_deg(self) -> float:
@@ -190,6 +195,17 @@ class Heights:
         total: Grid = np.pad(values, pad).reshape(shape).sum(axis=(1, 3))
         count: Grid = np.pad(known.astype(np.float64), pad).reshape(shape).sum(axis=(1, 3))
         return total / np.maximum(count, 1.0)
+
+
+def _stated_datum(where: str) -> Datum | None:
+    """The datum of a GeoTIFF's vertical coordinate system; None if it has none, or one that is not known."""
+    # Files of GeoTIFF 1.0 say it too, but the library passes it on only if it is asked to.
+    with rasterio.Env(GTIFF_REPORT_COMPD_CS=True), rasterio.open(where, driver=_OTHER_DRIVER) as raster:
+        found = _VERTICAL.search(raster.crs.to_wkt())
+        is_3d = raster.crs.to_epsg() == _EARTH_3D
+    if found is None:
+        return "ellipsoidal" if is_3d else None
+    return datum_in(found[1].lower())
 
 
 def _words(error: Exception) -> str:

@@ -16,6 +16,7 @@ from epf_gcs.contract.maps import ImportState, MapImport, problem_parts
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.maps.files import RASTERS, MapFile, safe_name
 from epf_gcs.maps.folder import MapFolder, exists
+from epf_gcs.maps.layer import Datum
 from epf_gcs.maps.terrain_jobs import TerrainJobs, ThreadRunner
 
 INCOMING: Final = ".incoming"
@@ -90,8 +91,11 @@ class Imports:
             )
         return found
 
-    async def receive(self, name: str, total_bytes: int | None, chunks: AsyncIterator[bytes]) -> Import:
-        """Receive a file. Raises GatewayError if it cannot be stored or is no map, and then leaves nothing behind."""
+    async def receive(
+        self, name: str, total_bytes: int | None, chunks: AsyncIterator[bytes], datum: Datum | None = None
+    ) -> Import:
+        """Receive a file. `datum`: what its heights count from. Raises GatewayError if it cannot be stored or is no
+        map, and then leaves nothing behind."""
         cleaned = safe_name(name)
         busy = [one for one in self._all.values() if one.state in ("receiving", "converting")]
         if any(one.name == cleaned for one in busy) or await self._in_thread((self._folder.path / cleaned).exists):
@@ -103,6 +107,8 @@ class Imports:
             await self._in_thread(lambda: folder.mkdir(parents=True))
             await self._write(one, folder / cleaned, chunks)
             file = await self._in_thread(self._folder.take_in, folder / cleaned)
+            if datum is not None:
+                await self._in_thread(self._folder.choose_datum, file.id, datum)
         except BaseException as error:
             one.problem = _reason(cleaned, error)
             self._enter(one, "failed")

@@ -9,6 +9,8 @@ from typing import Final, Literal, NamedTuple, Protocol
 
 from epf_gcs.errors import GatewayError
 
+Datum = Literal["orthometric", "ellipsoidal"]
+"""What heights count from: the sea (the geoid), or the ellipsoid WGS 84."""
 LayerKind = Literal["imagery", "terrain", "vector"]
 LayerFormat = Literal[
     "mbtiles",
@@ -42,6 +44,10 @@ class Bounds(NamedTuple):
     north_deg: float = 90.0
 
 
+TilePlace = tuple[int, int, int]
+"""Zoom, column and row, rows as `TileSource.tile` has them."""
+
+
 class Tile(NamedTuple):
     """One tile as it is sent to the page. `encoding`: its compression (Content-Encoding), None if uncompressed."""
 
@@ -61,7 +67,7 @@ class Range(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Description:
-    """A layer's metadata. `available`: for terrain, the existing tiles of each level."""
+    """A layer's metadata. `available`: for terrain, the existing tiles of each level; `datum`: as its set states it."""
 
     title: str
     kind: LayerKind
@@ -73,6 +79,7 @@ class Description:
     projection: Literal["EPSG:4326", "EPSG:3857"] = "EPSG:4326"
     available: tuple[tuple[Range, ...], ...] | None = None
     extensions: tuple[str, ...] = ()
+    datum: Datum | None = None
 
 
 class TileSource(Protocol):
@@ -94,7 +101,10 @@ class TileSource(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Layer:
-    """One entry of the list. `problem`: why it cannot be shown, or that it is still being converted."""
+    """One entry of the list. `problem`: why it cannot be shown, or that it is still being converted.
+
+    `datum`: of terrain, as the set states it or as a person chose; None: not known.
+    """
 
     id: str
     name: str
@@ -102,6 +112,7 @@ class Layer:
     description: Description
     size_bytes: int
     problem: GatewayError | None = None
+    datum: Datum | None = None
 
 
 UNKNOWN: Final = Description("", "imagery", Bounds(), 0, 0, "")

@@ -14,7 +14,7 @@ from epf_gcs.contract.events import Say
 from epf_gcs.errors import GatewayError
 from epf_gcs.maps.folder import MapFolder, not_deleted, unknown
 from epf_gcs.maps.imports import INCOMING, Imports
-from epf_gcs.maps.layer import Description, Layer, Tile
+from epf_gcs.maps.layer import Datum, Description, Layer, Tile
 from epf_gcs.maps.online import Online
 from epf_gcs.maps.online_file import OnlineFile
 from epf_gcs.maps.open_files import Stamp
@@ -69,7 +69,7 @@ class Maps:
         return (None if description.kind == "terrain" else tile), stamp
 
     async def terrain(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
-        """One tile of terrain, rows in the scheme of its layer.json. Raises as `picture`."""
+        """One tile of terrain, rows in the scheme of its layer.json, heights above the sea. Raises as `picture`."""
         tile, description, stamp = await self.in_thread(self.folder.tile, layer_id, zoom, column, row)
         return (tile if description.kind == "terrain" else None), stamp
 
@@ -86,6 +86,14 @@ class Maps:
     async def description(self, layer_id: str) -> Description:
         """A layer's description. Raises NotFoundError, or why it cannot be read."""
         return await self.in_thread(self.folder.description, layer_id)
+
+    async def datum(self, layer_id: str) -> Datum | None:
+        """What a layer's heights count from; None: not known. Raises as `description`."""
+        return await self.in_thread(self.folder.datum, layer_id)
+
+    async def choose_datum(self, layer_id: str, datum: Datum) -> None:
+        """Say what a layer's heights count from. Raises NotFoundError, ConflictError."""
+        await self.in_thread(self.folder.choose_datum, layer_id, datum)
 
     async def remove(self, layer_id: str) -> None:
         """Take a map out of the list; it can be restored. Raises NotFoundError."""

@@ -12,6 +12,7 @@ from urllib.parse import quote
 
 from epf_gcs.maps import faults
 from epf_gcs.maps.confined_sqlite import confine
+from epf_gcs.maps.datum import stated_datum
 from epf_gcs.maps.layer import (
     Bounds,
     Description,
@@ -122,6 +123,7 @@ class MbTiles:
             maximum_zoom=zooms[1],
             attribution=credit(meta.get("attribution", "")),
             available=available,
+            datum=stated_datum(meta) if kind == "terrain" else None,
         )
 
     def _levels(self) -> dict[int, Range]:

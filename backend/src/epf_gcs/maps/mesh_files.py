@@ -12,6 +12,7 @@ import orjson
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.zip_faults import ZIP_FAULTS
 from epf_gcs.maps import faults
+from epf_gcs.maps.datum import stated_datum
 from epf_gcs.maps.layer import MAX_TILE_BYTES, Bounds, Description, Range, Tile, checked_bounds, credit, mesh
 
 LAYER_JSON: Final = "layer.json"
@@ -133,6 +134,7 @@ class MeshFiles:
             scheme="slippyMap" if said.get("scheme") == "slippyMap" else "tms",
             projection="EPSG:3857" if said.get("projection") == "EPSG:3857" else "EPSG:4326",
             available=available,
+            datum=stated_datum(said),
             extensions=tuple(
                 name for name in (extensions if isinstance(extensions, list) else []) if name in _KNOWN_EXTENSIONS
             ),

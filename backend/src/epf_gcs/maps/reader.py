@@ -18,7 +18,7 @@ import structlog
 
 from epf_gcs.errors import GatewayError, InvalidInputError
 from epf_gcs.maps import faults
-from epf_gcs.maps.layer import Description, LayerFormat, Tile
+from epf_gcs.maps.layer import Datum, Description, LayerFormat, Tile, TilePlace
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.maps.reader_requests import (
     DescribeRequest,
@@ -74,18 +74,19 @@ class Reader:
         return found
 
     def tile(
-        self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
+        self, path: Path, name: str, form: LayerFormat, stamp: Stamp, place: TilePlace, datum: Datum | None = None
     ) -> Tile | None:
-        """One tile, as from `layer.TileSource`. Raises GatewayError if the file cannot be read."""
-        asked = TileRequest(str(path), name, form, stamp, (zoom, column, row))
+        """One tile, as from `layer.TileSource`, terrain with heights above the sea. Raises GatewayError if the file
+        cannot be read."""
+        asked = TileRequest(str(path), name, form, stamp, place, datum)
         head, data = self._ask(asked, path, stamp, self._longest_tile_s)
         return Tile(data, head.media_type, head.encoding) if data else None
 
     def grid(
-        self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
+        self, path: Path, name: str, form: LayerFormat, stamp: Stamp, place: TilePlace, datum: Datum | None = None
     ) -> bytes | None:
         """The heights of one tile of terrain; None if there is none. Rows and errors as with `tile`."""
-        asked = GridRequest(str(path), name, form, stamp, (zoom, column, row))
+        asked = GridRequest(str(path), name, form, stamp, place, datum)
         return self._ask(asked, path, stamp, self._longest_tile_s)[1] or None
 
     def raster_inside(self, path: Path, stamp: Stamp) -> str | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from epf_gcs.maps.layer import Description, LayerFormat
+from epf_gcs.maps.layer import Datum, Description, LayerFormat
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.workers.pipe import ReplyHead
 
@@ -37,15 +37,18 @@ class DescribeRequest(LayerRequest, frozen=True, tag="describe"):
 
 
 class TileRequest(LayerRequest, frozen=True, tag="tile"):
-    """One tile; `place`: zoom, column and row, as `layer.TileSource` has them."""
+    """One tile; `place`: zoom, column and row, as `layer.TileSource` has them. `datum`: of the set's heights; the
+    tile's are above the sea."""
 
     place: tuple[int, int, int]
+    datum: Datum | None = None
 
 
 class GridRequest(LayerRequest, frozen=True, tag="grid"):
-    """The heights of one tile of terrain."""
+    """The heights of one tile of terrain, above the sea."""
 
     place: tuple[int, int, int]
+    datum: Datum | None = None
 
 
 Request = InsideRequest | ForgetRequest | DescribeRequest | TileRequest | GridRequest

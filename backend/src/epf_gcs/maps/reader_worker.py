@@ -15,9 +15,10 @@ from typing import BinaryIO, Final, get_args
 import msgspec
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.formats.quantized_mesh_datum import above_sea
 from epf_gcs.formats.quantized_mesh_reading import read_grid
 from epf_gcs.maps import faults
-from epf_gcs.maps.layer import LayerFormat
+from epf_gcs.maps.layer import Description, LayerFormat, Tile
 from epf_gcs.maps.open_files import OpenFiles
 from epf_gcs.maps.reader_requests import DescribeRequest, ForgetRequest, GridRequest, InsideRequest, MapReply, Request
 from epf_gcs.maps.reading import limit_question, limit_reading, open_source, raster_inside
@@ -74,9 +75,18 @@ def _found(opened: OpenFiles, asked: Request) -> tuple[MapReply, bytes]:
         tile = source.tile(*asked.place)
     if tile is None:
         return MapReply(), b""
+    if asked.datum == "ellipsoidal" and source.description.kind == "terrain":
+        tile = _above_sea(tile, source.description, *asked.place)
     if isinstance(asked, GridRequest):
         return MapReply(), read_grid(tile.data)
     return MapReply(media_type=tile.media_type, encoding=tile.encoding), tile.data
+
+
+def _above_sea(tile: Tile, description: Description, zoom: int, column: int, row: int) -> Tile:
+    """All heights leave this process above the sea: nobody else converts them."""
+    from_south = row if description.scheme == "tms" else (1 << zoom) - 1 - row
+    is_mercator = description.projection == "EPSG:3857"
+    return Tile(above_sea(tile.data, zoom, column, from_south, is_mercator=is_mercator), tile.media_type)
 
 
 def _key(path: Path, form: str) -> str:

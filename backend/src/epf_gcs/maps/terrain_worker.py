@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Final
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
 from epf_gcs.maps import faults
+from epf_gcs.maps.datum import METADATA_KEY
 from epf_gcs.maps.layer import Bounds
 from epf_gcs.system.limits import limit_memory, limit_time
 from epf_gcs.system.priority import be_nice
@@ -107,6 +108,8 @@ def _write(heights: Heights, output: sqlite3.Connection, told: Callable[[int], N
         "minzoom": "0",
         "maxzoom": str(highest),
     }
+    if heights.datum is not None:
+        metadata[METADATA_KEY] = heights.datum
     output.executemany("INSERT INTO metadata VALUES (?, ?)", metadata.items())
     output.commit()
 

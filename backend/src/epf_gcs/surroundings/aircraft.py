@@ -82,6 +82,11 @@ class AircraftSurroundings:
         newest = self._track.newest
         return None if newest is None else newest.t_s
 
+    @property
+    def newest(self) -> Fix | None:
+        """The newest fix."""
+        return self._track.newest
+
     def add(self, fix: Fix) -> None:
         """Take the newest fix."""
         self._track.add(fix)

@@ -17,7 +17,7 @@ import numpy.typing as npt
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS
 from epf_gcs.formats.quantized_mesh_reading import SIDE
-from epf_gcs.maps.layer import Layer
+from epf_gcs.maps.layer import Datum, Layer
 from epf_gcs.surroundings.motion import Vector
 
 # Points 19 m apart at the equator: finer heights change no warning.
@@ -82,6 +82,12 @@ class Ground:
                 found[missing] = self._of_layer(layer, latitude_deg[missing], longitude_deg[missing], now_s)
         return found
 
+    def has_unknown_datum(self, latitude_deg: Vector, longitude_deg: Vector) -> bool:
+        """Whether heights at one of these places may be of a set whose datum is not known."""
+        return any(
+            bool(_covered(layer, latitude_deg, longitude_deg).any()) for layer in self._layers if layer.datum is None
+        )
+
     async def read(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
         """The same as `heights`, once the tiles below have been read; NaN where the station knows no height."""
         await self._look_for_layers()
@@ -117,7 +123,7 @@ class Ground:
 
     async def _look_for_layers(self) -> None:
         layers = await self._tiles.terrain_layers()
-        if [(one.id, one.size_bytes) for one in layers] != [(one.id, one.size_bytes) for one in self._layers]:
+        if list(map(_identity, layers)) != list(map(_identity, self._layers)):
             self._held.clear()
         self._layers = layers
 
@@ -159,6 +165,11 @@ class Ground:
         self._held[key] = held
         while len(self._held) > _MOST_KEPT:
             self._held.popitem(last=False)
+
+
+def _identity(layer: Layer) -> tuple[str, int, Datum | None]:
+    """Another datum makes other heights of the same set."""
+    return layer.id, layer.size_bytes, layer.datum
 
 
 def _levels(zoom: int) -> Iterable[int]:

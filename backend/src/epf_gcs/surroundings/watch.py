@@ -107,7 +107,7 @@ class Surroundings:
 
     def state(self) -> SurroundingsState:
         """For the status: what was seen last."""
-        return SurroundingsState(_shown(self._seen["flight"]), _shown(self._seen["hil"]))
+        return SurroundingsState(self._shown("flight"), self._shown("hil"))
 
     def gather(self) -> None:
         """Take the newest positions."""
@@ -140,6 +140,15 @@ class Surroundings:
                 self.look()
 
         await repeat(_TICK_S, "the watch over ground and fence", tick)
+
+    def _shown(self, which: Which) -> AircraftAround:
+        seen, fix = self._seen[which], self._aircraft[which].newest
+        datum_unknown = (
+            seen.ground_m is not None
+            and fix is not None
+            and self._ground.has_unknown_datum(np.array([fix.latitude_deg]), np.array([fix.longitude_deg]))
+        )
+        return _around(seen, datum_unknown=datum_unknown)
 
     def _watched(self) -> list[str]:
         if self._is_unknown:
@@ -215,7 +224,7 @@ def _finding(name: str, which: Which, threat: Threat) -> dict[str, Any]:
     return {"id": name, "aircraft": which, "what": threat.what, "in_s": threat.in_s}
 
 
-def _shown(seen: SurroundingsView) -> AircraftAround:
+def _around(seen: SurroundingsView, *, datum_unknown: bool) -> AircraftAround:
     path = seen.path
     every = slice(None, None, _PATH_EVERY)
     places = [] if path is None else zip(path.latitude_deg[every], path.longitude_deg[every], strict=True)
@@ -226,6 +235,7 @@ def _shown(seen: SurroundingsView) -> AircraftAround:
         terrain=_threat(seen.terrain),
         fence=_threat(seen.fence),
         outside=seen.outside,
+        datum_unknown=datum_unknown,
         path=[TrackPlace(float(north), float(east)) for north, east in places],
     )
 

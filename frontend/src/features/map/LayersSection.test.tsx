@@ -13,7 +13,8 @@ function terrain(name: string, problem: object = SOUND): object {
   const bounds = { west_deg: -16, south_deg: 27, east_deg: -15, north_deg: 28 };
   const zooms = { minimum_zoom: 0, maximum_zoom: 12 };
   const about = { name, kind: "terrain", format: "hgt", attribution: "", bytes: 2_884_802 };
-  return { id: `${name}-hgt`, ...about, ...bounds, ...zooms, ...problem };
+  const datum = { datum: "orthometric", datum_stated: true, geoid_m: 41.8 };
+  return { id: `${name}-hgt`, ...about, ...bounds, ...zooms, ...datum, ...problem };
 }
 
 function converting(name: string, percent: number): object {
@@ -86,4 +87,32 @@ test("terrain can be taken out of the list, and brought back", async () => {
   await newest(station, "DELETE", /layers\/N27W016-hgt$/).answer({ folder: "/maps", layers: [] });
   expect(choices()).toEqual(["Sin relieve (nivel del mar)"]);
   expect(document.body.textContent).toContain("Recuperar N27W016");
+});
+
+test("a set that does not say what its heights count from is asked for, with how much depends on it", async () => {
+  const station = open();
+  const unsaid = { datum: null, datum_stated: false, geoid_m: 41.8 };
+  await answerLayers(station, [terrain("Gando", { ...SOUND, ...unsaid })]);
+  const alert = document.querySelector(".map-layer .ui-notice")?.textContent ?? "";
+  expect(alert).toContain("Gando no dice desde dónde cuenta sus alturas");
+  expect(alert).toContain("en 27.5°, -15.5° difieren en 137 ft");
+  const select = [...document.querySelectorAll("select")].at(-1) as HTMLSelectElement;
+  await user.selectOptions(select, "ellipsoidal");
+  const asked = newest(station, "PUT", /layers\/Gando-hgt\/datum$/);
+  expect(asked.body).toEqual({ datum: "ellipsoidal" });
+  const chosen = { ...unsaid, datum: "ellipsoidal" };
+  await asked.answer({ folder: "/maps", layers: [terrain("Gando", { ...SOUND, ...chosen })] });
+  station.show();
+  expect(document.body.textContent).not.toContain("no dice desde dónde");
+  expect(select.value).toBe("ellipsoidal");
+});
+
+test("a set that says it is not asked for", async () => {
+  const station = open();
+  const said = { datum: "ellipsoidal", datum_stated: true, geoid_m: 41.8 };
+  await answerLayers(station, [terrain("Gando", { ...SOUND, ...said })]);
+  expect(document.querySelector(".map-layer")?.textContent).toContain(
+    "Alturas sobre el elipsoide, según el archivo: la estación las convierte.",
+  );
+  expect(document.querySelectorAll("select")).toHaveLength(1);
 });

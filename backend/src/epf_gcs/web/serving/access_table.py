@@ -101,6 +101,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/map/layers/{layer_id}/tiles/{zoom}/{column}/{row}"): _SEES,
     ("DELETE", "/map/layers/{layer_id}"): _command("map"),
     ("POST", "/map/layers/{layer_id}/restore"): _command("map"),
+    ("PUT", "/map/layers/{layer_id}/datum"): _command("map"),
     ("POST", "/map/imports"): _command("upload"),
     ("GET", "/map/imports/{import_id}"): _SEES,
     ("DELETE", "/map/imports/{import_id}"): _command("map"),

@@ -91,7 +91,7 @@ def test_heights_put_into_the_folder_become_terrain_that_cesium_can_read(gateway
         "tms",
         "EPSG:4326",
     )
-    assert contents["tiles"] == ["{z}/{x}/{y}.terrain"]
+    assert contents["tiles"] == ["{z}/{x}/{y}.terrain?v={version}"]
     assert contents["available"][0] == [{"startX": 0, "startY": 0, "endX": 1, "endY": 0}]
     assert len(contents["available"]) == contents["maxzoom"] + 1
     (place,) = contents["available"][-1]

@@ -6,6 +6,7 @@ import { failureMessage } from "../../../store/messages";
 import { Notice } from "../../../ui/Notice";
 import { Select } from "../../../ui/Select";
 import { useFlat } from "../scenes/useFlat";
+import { DatumChoice } from "./DatumChoice";
 import { RemoveLayer } from "./LayerRow";
 import type { GroundChoice } from "./useGround";
 
@@ -51,6 +52,7 @@ function TerrainRow({ layer }: { layer: MapLayer }) {
         <span className="map-layer-size">{bytes > 0 && formatBytes(bytes)}</span>
         <RemoveLayer layer={layer} reason={undefined} />
       </div>
+      <DatumChoice layer={layer} />
       {problem !== null &&
         (isConverting(layer) ? (
           <p className="map-layers-hint">{said(problem)}</p>

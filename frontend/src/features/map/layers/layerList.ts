@@ -1,6 +1,6 @@
 import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { MapImport, MapLayer, MapOnline, OnlineChoice } from "../../../protocol/mapLayers";
+import type { Datum, MapImport, MapLayer, MapOnline, OnlineChoice } from "../../../protocol/mapLayers";
 import type { Asker } from "../../../requests/asking";
 import { usePart } from "../../../store/hooks";
 import type { Message } from "../../../store/messages";
@@ -32,6 +32,8 @@ export interface MapLayerActions {
   readonly cancelImport: (id: string, asker: Asker) => Promise<void>;
   readonly forgetImport: (id: string) => void;
   readonly remove: (layer: Pick<MapLayer, "id" | "name">, asker: Asker) => Promise<void>;
+  /** Say what the heights of a set count from, where the set does not say it. */
+  readonly chooseDatum: (layer: Pick<MapLayer, "id" | "name">, datum: Datum, asker: Asker) => Promise<void>;
   readonly chooseOnline: (choice: OnlineChoice, asker: Asker) => Promise<void>;
   readonly clearOnline: (asker: Asker) => Promise<void>;
   readonly restore: (layer: Pick<MapLayer, "id" | "name">, asker: Asker) => Promise<void>;

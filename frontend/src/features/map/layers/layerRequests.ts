@@ -86,6 +86,12 @@ export function createMapLayerActions(parts: RequesterParts & { readonly timers:
         return { state: "confirmed", message: info("map.layers.saidRemoved", { name }) };
       }),
 
+    chooseDatum: ({ id, name }: LayerName, datum, asker) =>
+      run(asker, rest.ask("PUT", `${LAYERS}/${id}/datum`, isMapLayers, { datum }), (value) => {
+        store.setState(value);
+        return { state: "confirmed", message: info(`map.layers.saidDatum.${datum}`, { name }) };
+      }),
+
     chooseOnline: (choice, asker) =>
       run(asker, rest.ask("PUT", ONLINE, isOnlineState, choice), (online) => {
         store.setState({ online });

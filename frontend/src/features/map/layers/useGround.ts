@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useState } from "react";
-import type { MapLayer } from "../../../protocol/mapLayers";
+import type { Datum, MapLayer } from "../../../protocol/mapLayers";
 import type { ShownLayer } from "../../../scene/tools/LayerStack";
 import { usePage, useSettings } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
@@ -36,7 +36,7 @@ export function useGround(): GroundChoice {
   const layerOf = (id: string): MapLayer | undefined => layers.find((layer) => layer.id === id);
   const put = (next: readonly StackLayer[]): void =>
     choose(settings, STACK, rememberedStack(next, remembered));
-  const terrainFailed = useOnGlobe(layers, stack, terrain);
+  const terrainFailed = useOnGlobe(layers, stack, terrain, layerOf(terrain ?? "")?.datum ?? null);
   return {
     stack,
     layerOf,
@@ -75,6 +75,7 @@ function useOnGlobe(
   layers: readonly MapLayer[],
   stack: readonly StackLayer[],
   terrain: string | null,
+  datum: Datum | null,
 ): boolean {
   const laid = useGlobeLayer(
     "layers",
@@ -84,9 +85,11 @@ function useOnGlobe(
   useEffect(() => {
     laid?.show(shownLayers(layers, stack));
   }, [laid, layers, stack]);
+  // Another datum makes other ground of the same set.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the station converts, its address stays the same
   useEffect(() => {
     setFailed(null);
     laid?.showTerrain(terrain === null ? null : `${PATH}/${terrain}/terrain`).catch(() => setFailed(terrain));
-  }, [laid, terrain]);
+  }, [laid, terrain, datum]);
   return failed !== null && failed === terrain;
 }

@@ -60,7 +60,7 @@ function Warnings({ aircraft, profile }: { aircraft: Aircraft; profile: Profile 
   const { t } = useTranslation();
   const selection = usePart(SELECTION);
   const altitude = useUnit("altitude");
-  const { clearance, hasTerrain, wanted_ft } = profile;
+  const { clearance, hasTerrain, hasUnknownDatum, wanted_ft } = profile;
   if (clearance === null) {
     return <p className="map-plan-hint">{t("map.profile.asking")}</p>;
   }
@@ -73,6 +73,7 @@ function Warnings({ aircraft, profile }: { aircraft: Aircraft; profile: Profile 
           ? t(hasTerrain ? "map.profile.unknownHere" : "map.profile.unknown")
           : t("map.profile.least", { height: written(least.clearance_ft), number: least.row + 1 })}
       </p>
+      {least !== null && hasUnknownDatum && <p className="map-profile-part">{t("map.layers.datumOff")}</p>}
       {least !== null && unknown > 0 && (
         <p className="map-profile-part">
           {t("map.profile.part", { percent: Math.max(1, Math.round(100 * unknown)) })}

@@ -39,7 +39,7 @@ export class TerrainHeights {
       const scheme = missing.length === 0 ? null : await this.#scheme(layer.id);
       if (scheme !== null) {
         const heights = await this.#ofLayer(
-          layer.id,
+          layer,
           scheme,
           missing.map(({ place }) => place),
         );
@@ -53,19 +53,19 @@ export class TerrainHeights {
     return found;
   }
 
-  #ofLayer(id: string, scheme: Scheme, places: readonly Position[]): Promise<Heights> {
+  #ofLayer(layer: MapLayer, scheme: Scheme, places: readonly Position[]): Promise<Heights> {
     let zoom = scheme.maximum;
     const tiles = (): number => new Set(places.map((place) => tileOf(zoom, place).join())).size;
     while (zoom > 0 && tiles() > MOST_TILES) {
       zoom -= 1;
     }
-    return Promise.all(places.map((place) => this.#height(id, scheme, zoom, place)));
+    return Promise.all(places.map((place) => this.#height(layer, scheme, zoom, place)));
   }
 
-  async #height(id: string, scheme: Scheme, zoom: number, place: Position): Promise<number | null> {
+  async #height(layer: MapLayer, scheme: Scheme, zoom: number, place: Position): Promise<number | null> {
     for (let level = zoom; level >= Math.max(0, zoom - PARENTS); level -= 1) {
       const [column, row] = tileOf(level, place);
-      const mesh = await this.#mesh(id, level, column, scheme.isFromNorth ? 2 ** level - 1 - row : row);
+      const mesh = await this.#mesh(layer, level, column, scheme.isFromNorth ? 2 ** level - 1 - row : row);
       if (mesh !== null) {
         const size_deg = 180 / 2 ** level;
         return mesh.heightAt(
@@ -77,8 +77,10 @@ export class TerrainHeights {
     return null;
   }
 
-  #mesh(id: string, zoom: number, column: number, row: number): Promise<TerrainMesh | null> {
-    const path = `${PATH}/${encodeURIComponent(id)}/terrain/${zoom}/${column}/${row}.terrain`;
+  #mesh({ id, datum }: MapLayer, zoom: number, column: number, row: number): Promise<TerrainMesh | null> {
+    const tile = `${PATH}/${encodeURIComponent(id)}/terrain/${zoom}/${column}/${row}.terrain`;
+    // Another datum makes other heights of the same set, here and in the browser's own store.
+    const path = datum === "ellipsoidal" ? `${tile}?v=${datum}` : tile;
     const known = this.#meshes.get(path);
     if (known !== undefined) {
       return known;
@@ -132,7 +134,7 @@ function tileOf(zoom: number, { latitude_deg, longitude_deg }: Position): readon
   return [Math.min(2 ** (zoom + 1) - 1, column), Math.min(2 ** zoom - 1, row)];
 }
 
-function covers(layer: MapLayer, { latitude_deg, longitude_deg }: Position): boolean {
+export function covers(layer: MapLayer, { latitude_deg, longitude_deg }: Position): boolean {
   return (
     longitude_deg >= layer.west_deg &&
     longitude_deg <= layer.east_deg &&

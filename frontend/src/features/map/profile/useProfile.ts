@@ -9,7 +9,7 @@ import {
 } from "../../../lib/planProfile";
 import { useSettings } from "../../../store/hooks";
 import { useMapLayers } from "../layers/layerList";
-import { TerrainHeights } from "./terrainHeights";
+import { covers, TerrainHeights } from "./terrainHeights";
 
 /** A ridge between two places is missed only if it is narrower than this, metres. */
 const STEP_M = 60;
@@ -27,6 +27,8 @@ export interface Profile {
   readonly wanted_ft: number;
   /** The station has heights of some ground. */
   readonly hasTerrain: boolean;
+  /** Nobody has said what the heights of some of this ground count from. */
+  readonly hasUnknownDatum: boolean;
 }
 
 export { CLEARANCE_CHOICE };
@@ -57,7 +59,10 @@ export function useProfile(waypoints: readonly Waypoint[]): Profile {
     () => (heights === null ? null : clearanceOf(places, heights, wanted_ft)),
     [places, heights, wanted_ft],
   );
-  return { places, heights, clearance, wanted_ft, hasTerrain: layers.length > 0 };
+  const hasUnknownDatum = layers.some(
+    (layer) => layer.datum === null && places.some((place) => covers(layer, place)),
+  );
+  return { places, heights, clearance, wanted_ft, hasTerrain: layers.length > 0, hasUnknownDatum };
 }
 
 function clearanceOfChoice(choice: string | undefined): number {

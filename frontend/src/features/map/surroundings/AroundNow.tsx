@@ -24,6 +24,7 @@ export function AroundNow() {
   return (
     <div className="map-around-now" role="status">
       <p>{t("map.around.height", { name, height: written(around.height_ft) })}</p>
+      {around.datum_unknown && <p data-level="blind">{t("map.layers.datumOff")}</p>}
       {threats.map(({ what, in_s }) => (
         <p key={what} data-level="warned">
           {t(`mapAhead.${what}`, { seconds: Math.round(in_s) })}

@@ -13,10 +13,12 @@ from starlette.requests import ClientDisconnect
 from epf_gcs.contract.maps import MapImport, problem_parts
 from epf_gcs.contract.shapes import FILE, Answers, file_body
 from epf_gcs.errors import ConflictError
-from epf_gcs.maps.layer import VECTOR_TYPE, Description, Layer, Tile
+from epf_gcs.geoid import geoid_m
+from epf_gcs.maps.datum import DATUM_OF_FORMAT
+from epf_gcs.maps.layer import VECTOR_TYPE, Datum, Description, Layer, Tile
 from epf_gcs.maps.open_files import Stamp
 from epf_gcs.web.interface.deps import MapsDep, OperatorDep
-from epf_gcs.web.interface.maps.schemas import MapLayer, MapLayers
+from epf_gcs.web.interface.maps.schemas import DatumInput, MapLayer, MapLayers
 from epf_gcs.web.serving.problems import problem_response, problems, reading_problems
 
 router = APIRouter(prefix="/map", tags=["maps"])
@@ -36,6 +38,9 @@ ImportId = Annotated[str, Path(pattern=r"^[0-9a-f]{12}$")]
 Zoom = Annotated[int, Path(ge=0, le=30)]
 Place = Annotated[int, Path(ge=0, le=(1 << 31) - 1)]
 ForGood = Annotated[bool, Query(description="Delete the file; it cannot be restored.")]
+ImportDatum = Annotated[
+    Datum | None, Query(description="What its heights count from; none: as the file says, or to be chosen later.")
+]
 FileName = Annotated[str, Query(min_length=1, max_length=255, description="The file's name; its end says what it is.")]
 
 
@@ -69,13 +74,15 @@ async def get_terrain_contents(maps: MapsDep, layer_id: LayerId) -> Response:
     found = await maps.description(layer_id)
     if found.kind != "terrain":
         return _no_terrain(layer_id)
+    datum = await maps.datum(layer_id)
     contents: dict[str, Any] = {
         "tilejson": "2.1.0",
         "format": "quantized-mesh-1.0",
-        "version": "1.0.0",
+        # In the tiles' addresses: a browser keeps tiles, and another datum makes others.
+        "version": f"1.0.0-{datum}",
         "scheme": found.scheme,
         "projection": found.projection,
-        "tiles": ["{z}/{x}/{y}.terrain"],
+        "tiles": ["{z}/{x}/{y}.terrain?v={version}"],
         "attribution": found.attribution,
         "bounds": list(found.bounds),
         "minzoom": found.minimum_zoom,
@@ -105,6 +112,14 @@ async def get_terrain_tile(
     if tile is None:
         return _no_terrain(layer_id)
     return _tile_answer(request, tile, stamp)
+
+
+@router.put("/layers/{layer_id}/datum", responses=problems(404, 409))
+async def choose_map_layer_datum(maps: MapsDep, layer_id: LayerId, chosen: DatumInput, _: OperatorDep) -> MapLayers:
+    """Say what the heights of a set of terrain count from, where the set does not say it. It holds until the file
+    changes."""
+    await maps.choose_datum(layer_id, chosen.datum)
+    return await get_map_layers(maps)
 
 
 @router.delete("/layers/{layer_id}", responses=problems(404, 409))
@@ -138,12 +153,14 @@ async def restore_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep) ->
     responses=problems(409),
     openapi_extra=file_body(),
 )
-async def import_map(request: Request, maps: MapsDep, name: FileName, _: OperatorDep) -> MapImport:
+async def import_map(
+    request: Request, maps: MapsDep, name: FileName, _: OperatorDep, datum: ImportDatum = None
+) -> MapImport:
     """Take a map file into the folder, whole or not at all. The answer comes when all of it is there; heights are being
     turned into terrain then. The event `map_import` tells how far it is."""
     length = request.headers.get("content-length", "")
     total_bytes = int(length) if length.isdecimal() else None
-    one = await maps.imports.receive(name, total_bytes, _chunks(request, name))
+    one = await maps.imports.receive(name, total_bytes, _chunks(request, name), datum)
     return one.told
 
 
@@ -171,6 +188,9 @@ async def _chunks(request: Request, name: str) -> AsyncIterator[bytes]:
 
 def _layer(layer: Layer) -> MapLayer:
     found: Description = layer.description
+    bounds = found.bounds
+    is_terrain = found.kind == "terrain" and layer.problem is None
+    middle_deg = ((bounds.south_deg + bounds.north_deg) / 2, (bounds.west_deg + bounds.east_deg) / 2)
     return MapLayer(
         *problem_parts(layer.problem),
         id=layer.id,
@@ -182,6 +202,9 @@ def _layer(layer: Layer) -> MapLayer:
         maximum_zoom=found.maximum_zoom,
         attribution=found.attribution,
         bytes=layer.size_bytes,
+        datum=layer.datum,
+        datum_stated=found.datum is not None or layer.format in DATUM_OF_FORMAT,
+        geoid_m=round(float(geoid_m(*middle_deg)), 1) if is_terrain else None,
     )
 
 

@@ -9,13 +9,18 @@ from pydantic import Field
 
 from epf_gcs.contract.maps import MapProblem
 from epf_gcs.contract.shapes import Input, Output
-from epf_gcs.maps.layer import LayerFormat, LayerKind
+from epf_gcs.maps.layer import Datum, LayerFormat, LayerKind
 from epf_gcs.maps.sources import MAX_LIMIT_BYTES
 
 
 @dataclass(frozen=True, slots=True)
 class MapLayer(MapProblem):
-    """A layer that can be chosen, or says why it cannot."""
+    """A layer that can be chosen, or says why it cannot.
+
+    Of terrain alone: `datum`, what its heights count from, the sea (orthometric) or the ellipsoid; None: not known, and
+    taken for the sea until somebody chooses. `datum_stated`: the set says it itself. `geoid_m`: how high the sea is
+    above the ellipsoid in its middle.
+    """
 
     id: str
     name: str
@@ -29,6 +34,15 @@ class MapLayer(MapProblem):
     maximum_zoom: int
     attribution: str
     bytes: int
+    datum: Datum | None
+    datum_stated: bool
+    geoid_m: float | None
+
+
+class DatumInput(Input):
+    """What a set's heights count from: the sea (orthometric), or the ellipsoid WGS 84."""
+
+    datum: Datum
 
 
 class MapLayers(Output):
