@@ -23,7 +23,10 @@ export function DatumChoice({ layer }: { layer: MapLayer }) {
   if (datum_stated && datum !== null) {
     return <p className="map-layers-hint">{t(`map.layers.datumStated.${datum}`)}</p>;
   }
-  const place = { latitude: middle(layer.south_deg, layer.north_deg), longitude: middle(layer.west_deg, layer.east_deg) };
+  const place = {
+    latitude: middle(layer.south_deg, layer.north_deg),
+    longitude: middle(layer.west_deg, layer.east_deg),
+  };
   const difference = `${altitude.format(feetFromMetres(Math.abs(geoid_m)))} ${altitude.label}`;
   return (
     <>
