@@ -16,8 +16,8 @@ import httpx
 import orjson
 import pytest
 
+from epf_gcs.backup.archive import FILTER
 from epf_gcs.data_folder.version import FILE, FORMAT
-from epf_gcs.launcher.keeping import FILTER
 from tests.support.programs import Program, gateway_process
 from tests.support.waiting import DEADLINE_S, eventually
 

@@ -22,8 +22,8 @@ app = typer.Typer()
 add_commands(app)
 
 
-def run(*arguments: str | Path) -> tuple[int, str]:
-    result = CliRunner().invoke(app, [str(one) for one in arguments])
+def run(*arguments: str | Path, typed: str | None = None) -> tuple[int, str]:
+    result = CliRunner().invoke(app, [str(one) for one in arguments], input=typed)
     return result.exit_code, result.output
 
 
@@ -47,6 +47,41 @@ def test_a_folder_that_is_none_is_said_to_be_none(tmp_path: Path) -> None:
     code, said = run("backup", tmp_path / "kept.tar", "--data-dir", tmp_path / "nowhere")
     assert code == 1
     assert "is no folder" in said
+
+
+@pytest.fixture
+def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A backup in the making, of a folder `data` beside it; a password costs a millisecond."""
+    monkeypatch.setattr("epf_gcs.backup.age_archive.WORK", 10)
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "state.json").write_text("{}")
+    return tmp_path / "kept.tar.age"
+
+
+def test_a_password_is_asked_twice_and_again_for_restoring(kept: Path) -> None:
+    data = kept.parent / "data"
+    code, said = run("backup", kept, "--data-dir", data, "--encrypt", typed="long enough\nlong enough\n")
+    assert (code, "without its password" in said, "long enough" in said) == (0, True, False)
+    code, said = run("restore", kept, "--data-dir", data, typed="another one\n")
+    assert (code, "password is wrong" in said) == (1, True)
+    code, said = run("restore", kept, "--data-dir", data, typed="long enough\n")
+    assert (code, "is as it was" in said) == (0, True)
+
+
+@pytest.mark.parametrize(
+    ("typed", "why"), [("long enough\nlong enouhg\n", "differ"), ("short\n", "10 to 200 characters")]
+)
+def test_passwords_that_differ_or_are_short_make_no_backup(kept: Path, typed: str, why: str) -> None:
+    code, said = run("backup", kept, "--data-dir", kept.parent / "data", "--encrypt", typed=typed)
+    assert (code, why in said, kept.exists()) == (1, True, False)
+
+
+def test_a_password_can_come_from_a_file(kept: Path) -> None:
+    data, file = kept.parent / "data", kept.parent / "password"
+    file.write_text("long enough\n")
+    assert run("backup", kept, "--data-dir", data, "--password-file", file)[0] == 0
+    assert kept.read_bytes().startswith(b"age-encryption.org/v1\n")
+    assert run("restore", kept, "--data-dir", data, "--password-file", file)[0] == 0
 
 
 def test_in_a_source_tree_the_data_lie_in_it_and_else_with_the_user_s_data(monkeypatch: pytest.MonkeyPatch) -> None:

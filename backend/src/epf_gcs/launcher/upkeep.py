@@ -11,6 +11,11 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs import __version__
+from epf_gcs.backup.archive import backup as write_backup
+from epf_gcs.backup.archive import is_encrypted
+from epf_gcs.backup.archive import restore as read_backup
+from epf_gcs.backup.errors import BackupError
+from epf_gcs.backup.password import check_password, password_in
 from epf_gcs.data_folder.lock import is_in_use
 from epf_gcs.data_folder.place import DEFAULT, data_folder
 from epf_gcs.data_folder.upgrade import downgrade as put_back
@@ -20,8 +25,6 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.doctor import findings, report
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.findings import Language
-from epf_gcs.launcher.keeping import backup as write_backup
-from epf_gcs.launcher.keeping import restore as read_backup
 
 _Folder = Annotated[
     Path,
@@ -38,6 +41,9 @@ FolderMeant = Annotated[
     ),
 ]
 """Of a command that looks at a station or asks it: who names none may mean the demonstration's."""
+_PasswordFile = Annotated[
+    Path | None, typer.Option(help="Its first line is the password: nobody is asked.", show_default=False)
+]
 _DATA: Final = data_folder()
 
 
@@ -76,32 +82,45 @@ def doctor(
 
 
 def backup(
-    file: Annotated[Path, typer.Argument(help="The new file, for example station.tar.")],
+    file: Annotated[Path, typer.Argument(help="The new file, for example station.tar, encrypted station.tar.age.")],
     *,
+    encrypt: Annotated[bool, typer.Option("--encrypt", help="Ask for a password, twice.")] = False,
+    password_file: _PasswordFile = None,
     data_dir: _Folder = _DATA,
 ) -> None:
-    """Keep everything of the data folder that cannot be made again in one file. The station may run meanwhile."""
+    """Keep everything of the data folder that cannot be made again in one file. The station may run meanwhile.
+
+    With a password the file is encrypted in the format of age: `age -d` opens it too.
+    """
     try:
-        count = write_backup(data_dir, file, _say)
-    except (LaunchError, OSError) as error:
+        password = None
+        if encrypt or password_file is not None:
+            password = _new_password() if password_file is None else password_in(password_file)
+        count = write_backup(data_dir, file, _say, password)
+    except (BackupError, OSError) as error:
         raise _failed(error) from error
+    who = "only you can read it; keep it so" if password is None else "nobody can read it without its password"
     print(
         f"{count} files are in {file} ({file.stat().st_size / 1e6:.1f} MB), among them the station's private keys and "
-        "who may come in: only you can read it; keep it so."
+        f"who may come in: {who}."
     )
 
 
 def restore(
-    file: Annotated[Path, typer.Argument(help="A file made by `epf-gcs backup`.")],
+    file: Annotated[Path, typer.Argument(help="A file made by `epf-gcs backup` or in the page.")],
     *,
+    password_file: _PasswordFile = None,
     data_dir: _Folder = _DATA,
 ) -> None:
-    """Make the data folder what it was. The folder that is there now is kept beside it."""
+    """Make the data folder what it was. The folder that is there now is kept beside it. Asks for a file's password."""
     try:
         if is_in_use(data_dir):
             raise LaunchError(f"A station is running with {data_dir}: stop it first.")
-        kept = read_backup(file, data_dir, _say)
-    except (LaunchError, OSError) as error:
+        password = None
+        if is_encrypted(file):
+            password = _asked("Password") if password_file is None else password_in(password_file)
+        kept = read_backup(file, data_dir, _say, password)
+    except (LaunchError, BackupError, OSError) as error:
         raise _failed(error) from error
     print(f"{data_dir} is as it was." + ("" if kept is None else f" What was there before is in {kept}."))
 
@@ -119,6 +138,19 @@ def downgrade(*, data_dir: _Folder = _DATA) -> None:
     print(
         f"{data_dir} is of format {number} again, as {who} had it: install that now. This version would change it back."
     )
+
+
+def _new_password() -> str:
+    """Raises BackupError."""
+    password = check_password(_asked("Password"))
+    if password != _asked("The same again"):
+        raise BackupError("The two passwords differ: nothing was made.")
+    return password
+
+
+def _asked(what: str) -> str:
+    said: str = typer.prompt(what, hide_input=True, err=True)
+    return said
 
 
 def _say(name: str) -> None:

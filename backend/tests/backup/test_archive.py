@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import shutil
 import sqlite3
 import stat
 import tarfile
@@ -11,13 +13,22 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.backup.archive import FILTER, LIST, backup, is_encrypted, restore
+from epf_gcs.backup.errors import BackupError
 from epf_gcs.data_folder.version import FORMAT, Format, read_format, write_format
-from epf_gcs.launcher.errors import LaunchError
-from epf_gcs.launcher.keeping import FILTER, LIST, backup, restore
 
 
 def quiet(_name: str) -> None:
     pass
+
+
+PASSWORD = "correct horse"  # noqa: S105
+
+
+@pytest.fixture(autouse=True)
+def little_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """So that a password costs a millisecond."""
+    monkeypatch.setattr("epf_gcs.backup.age_archive.WORK", 10)
 
 
 @pytest.fixture
@@ -106,7 +117,7 @@ def test_a_backup_that_was_cut_off_changes_nothing(data: Path, tmp_path: Path, s
     # A tar archive ends in zeros, which nobody misses.
     kept.write_bytes(whole[: int(len(whole.rstrip(b"\0")) * share)])
     before = files(data)
-    with pytest.raises(LaunchError, match="not a whole backup"):
+    with pytest.raises(BackupError, match="not a whole backup"):
         restore(kept, data, quiet)
     assert files(data) == before
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
@@ -116,7 +127,7 @@ def test_a_changed_byte_is_found(data: Path, tmp_path: Path) -> None:
     kept = tmp_path / "station.tar"
     backup(data, kept, quiet)
     kept.write_bytes(kept.read_bytes().replace(b"bytes of a flight", b"bytes of a fright", 1))
-    with pytest.raises(LaunchError, match="is damaged"):
+    with pytest.raises(BackupError, match="is damaged"):
         restore(kept, data, quiet)
 
 
@@ -125,13 +136,13 @@ def test_a_changed_byte_is_found(data: Path, tmp_path: Path) -> None:
 def test_a_stranger_s_archive_writes_nothing_outside_the_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, known: dict[str, str]
 ) -> None:
-    monkeypatch.setattr("epf_gcs.launcher.keeping.FILTER", known)
+    monkeypatch.setattr("epf_gcs.backup.archive.FILTER", known)
     evil = tmp_path / "evil.tar"
     (tmp_path / "source").write_text("x")
     with tarfile.open(evil, "w") as archive:
         archive.add(tmp_path / "source", arcname=name)
         archive.add(tmp_path / "source", arcname=LIST)
-    with pytest.raises(LaunchError, match="not a whole backup"):
+    with pytest.raises(BackupError, match="not a whole backup"):
         restore(evil, tmp_path / "data", quiet)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["evil.tar", "source"]
     assert not Path("/tmp/outside-of-the-station").exists()  # noqa: S108
@@ -143,13 +154,13 @@ def test_links_in_an_archive_are_refused(tmp_path: Path) -> None:
         entry = tarfile.TarInfo("recordings")
         entry.type, entry.linkname = tarfile.SYMTYPE, "/etc"
         archive.addfile(entry)
-    with pytest.raises(LaunchError, match="is no file"):
+    with pytest.raises(BackupError, match="is no file"):
         restore(evil, tmp_path / "data", quiet)
 
 
 def test_an_earlier_backup_is_not_written_over(data: Path, tmp_path: Path) -> None:
     (tmp_path / "station.tar").write_text("the earlier one")
-    with pytest.raises(LaunchError, match="is there already"):
+    with pytest.raises(BackupError, match="is there already"):
         backup(data, tmp_path / "station.tar", quiet)
     assert (tmp_path / "station.tar").read_text() == "the earlier one"
 
@@ -159,7 +170,7 @@ def test_a_backup_of_a_newer_version_is_refused_and_nothing_changes(data: Path, 
     backup(data, tmp_path / "station.tar", quiet)
     write_format(data, FORMAT)
     before = files(data)
-    with pytest.raises(LaunchError, match=r"epf-gcs 9.0.0 .format"):
+    with pytest.raises(BackupError, match=r"epf-gcs 9.0.0 .format"):
         restore(tmp_path / "station.tar", data, quiet)
     assert files(data) == before
 
@@ -173,6 +184,57 @@ def test_a_backup_of_an_older_version_comes_back_as_it_was(data: Path, tmp_path:
 
 def test_an_interrupted_change_of_format_is_not_kept_as_if_it_were_whole(data: Path, tmp_path: Path) -> None:
     (data / ".upgrade").mkdir()
-    with pytest.raises(LaunchError, match="was interrupted"):
+    with pytest.raises(BackupError, match="was interrupted"):
         backup(data, tmp_path / "station.tar", quiet)
     assert not (tmp_path / "station.tar").exists()
+
+
+def test_what_is_kept_with_a_password_comes_back_with_it_alone(data: Path, tmp_path: Path) -> None:
+    kept = tmp_path / "station.tar.age"
+    assert backup(data, kept, quiet, PASSWORD) == 4
+    assert is_encrypted(kept)
+    assert b"bytes of a flight" not in kept.read_bytes()
+    assert stat.S_IMODE(kept.stat().st_mode) == 0o600
+    before = files(data)
+    with pytest.raises(BackupError, match="password is wrong"):
+        restore(kept, data, quiet, "another horse")
+    with pytest.raises(BackupError, match="give its password"):
+        restore(kept, data, quiet)
+    assert files(data) == before
+    restore(kept, tmp_path / "back", quiet, PASSWORD)
+    assert files(tmp_path / "back")["recordings/20260131T120000Z.mcap"] == b"bytes of a flight" * 1000
+
+
+@pytest.mark.parametrize("missing", [1, 17, 1000, 20_000])
+def test_an_encrypted_backup_that_was_cut_off_changes_nothing(data: Path, tmp_path: Path, missing: int) -> None:
+    kept = tmp_path / "station.tar.age"
+    (data / "recordings/long.mcap").write_bytes(os.urandom(200_000))
+    backup(data, kept, quiet, PASSWORD)
+    kept.write_bytes(kept.read_bytes()[:-missing])
+    before = files(data)
+    with pytest.raises(BackupError, match="cut off or damaged"):
+        restore(kept, data, quiet, PASSWORD)
+    assert files(data) == before
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
+
+
+def test_a_backup_for_which_the_disk_is_too_small_is_not_begun(
+    data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(shutil, "disk_usage", lambda _folder: shutil._ntuple_diskusage(10_000, 1, 9_999))
+    with pytest.raises(BackupError, match="needs 0 MB, and the disk"):
+        backup(data, tmp_path / "station.tar", quiet)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data"]
+
+
+@pytest.mark.parametrize("password", [None, PASSWORD])
+def test_of_a_backup_that_fills_the_disk_nothing_stays(
+    data: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, password: str | None
+) -> None:
+    def full(_descriptor: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(BackupError, match="is full: nothing was made"):
+        backup(data, tmp_path / "station.tar", quiet, password)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["data"]

@@ -1,0 +1,1 @@
+"""The data folder as one file: written, encrypted with a password, read back and proven."""
