@@ -25,6 +25,8 @@ ErrorCode = Literal[
     "alarm_not_active",
     "alarms_not_written",
     "alarms_unreadable",
+    "backup_disk_full",
+    "backup_not_written",
     "bad_json",
     "board_line_full",
     "board_not_open",

@@ -41,6 +41,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/alarms/thresholds", method: "GET", tag: "alarms", least: "viewer", control: false },
   { path: "/alarms/thresholds", method: "PUT", tag: "alarms", least: "operator", control: true },
   { path: "/alarms/{alarm_id}/acknowledge", method: "POST", tag: "alarms", least: "operator", control: true },
+  { path: "/backups", method: "POST", tag: "access", least: "owner", control: false },
   { path: "/checklist", method: "DELETE", tag: "checklist", least: "operator", control: false },
   { path: "/checklist", method: "GET", tag: "checklist", least: "viewer", control: false },
   { path: "/checklist", method: "PUT", tag: "checklist", least: "operator", control: false },

@@ -12,7 +12,7 @@ from typing import Any, Literal, Self
 from epf_gcs.contract.base import ParamValue, Shape, numbers_of
 from epf_gcs.errors import ErrorCode, GatewayError
 
-JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
+JobKind = Literal["pack", "index", "keys", "import", "export", "report", "backup"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 EventKind = Literal[
     "advice",

@@ -17,6 +17,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 from epf_gcs.flights.worker import work
 
 VERBS: Final = {
+    "backup": "epf_gcs.flights.backup_verb",
     "export": "epf_gcs.flights.export.verb",
     "import": "epf_gcs.flights.importing",
     "index": "epf_gcs.flights.index",

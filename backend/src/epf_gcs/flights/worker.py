@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import queue
 import signal
 import threading
 from collections.abc import Callable, Mapping
@@ -22,6 +23,8 @@ _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _MOST_CPU_S: Final = 3600
 # How long a cancelled worker may take to remove its half-written files.
 _GRACE_S: Final = 2.0
+
+_first_line: Final[queue.SimpleQueue[str]] = queue.SimpleQueue()
 
 Say = Callable[[float, str], None]
 Run = Callable[[list[str], Say], Mapping[str, object]]
@@ -75,6 +78,11 @@ def work(run: Run, arguments: list[str]) -> int:
     return 1
 
 
+def secret() -> str:
+    """The line that the parent wrote to standard input, where no other user sees it. Waits for it."""
+    return _first_line.get()
+
+
 def say(progress: float, doing: str) -> None:
     """Say how far the work is: 0 to 1, and a stable word for the step."""
     tell({"progress": round(min(1.0, max(0.0, progress)), 4), "doing": doing})
@@ -87,9 +95,14 @@ def _cancel(_number: int, _frame: object) -> None:
 
 
 def _wait_for_parent() -> None:
+    line = bytearray()
     with contextlib.suppress(OSError):
-        while os.read(0, 1):
-            pass
+        while read := os.read(0, 1):
+            if read == b"\n":
+                _first_line.put(line.decode())
+                line.clear()
+            else:
+                line += read
     # As when cancelled, so that no half-written file stays; then in any case.
     os.kill(os.getpid(), signal.SIGTERM)
     threading.Event().wait(_GRACE_S)

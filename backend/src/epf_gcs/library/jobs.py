@@ -125,6 +125,7 @@ class Jobs:
             "import": preparing,
             "export": results,
             "report": results,
+            "backup": results,
         }
 
     def all(self) -> list[Job]:
@@ -154,10 +155,12 @@ class Jobs:
         result: Path | None = None,
         result_name: str = "",
         then: Callable[[Job], Awaitable[None]] | None = None,
+        secret: str | None = None,
     ) -> Job:
         """Queue `python -m epf_gcs.flights KIND ARGUMENTS` (key frames: `epf_gcs.replay`), which writes `result`.
 
         `then` is awaited with the job's answer before the job counts as done; it may raise GatewayError or OSError.
+        `secret` is one line that the program alone hears: it stands neither in its arguments nor in the job.
         Raises ConflictError while too many jobs are waiting, of all or of `by`, and where the kind needs packages that
         are not installed.
         """
@@ -167,7 +170,7 @@ class Jobs:
         if by != STATION and (shortage := self._waiting.take(job.id, by)) is not None:
             raise _busy(shortage)
         self._remember(job)
-        job.task = self._loop.create_task(self._run(job, arguments), name=f"job {kind}")
+        job.task = self._loop.create_task(self._run(job, arguments, secret), name=f"job {kind}")
         return job
 
     async def cancel(self, job: Job) -> None:
@@ -194,14 +197,14 @@ class Jobs:
         for job in self._jobs.values():
             _drop(job)
 
-    async def _run(self, job: Job, arguments: list[str]) -> None:
+    async def _run(self, job: Job, arguments: list[str], secret: str | None) -> None:
         try:
             async with self._lanes[job.kind].turn(job.by):
                 self._waiting.leave(job.id)
                 job.state = "running"
                 self._tell(job)
                 async with asyncio.timeout(self._longest_s):
-                    await self._work(job, arguments)
+                    await self._work(job, arguments, secret)
                 if job.fault is None and job.then is not None:
                     await job.then(job)
                 job.state = "done" if job.fault is None else "failed"
@@ -216,7 +219,7 @@ class Jobs:
         finally:
             self._end(job)
 
-    async def _work(self, job: Job, arguments: list[str]) -> None:
+    async def _work(self, job: Job, arguments: list[str], secret: str | None) -> None:
         async with child(
             sys.executable,
             "-m",
@@ -227,6 +230,8 @@ class Jobs:
             stdout=asyncio.subprocess.PIPE,
             limit=_LONGEST_LINE,
         ) as process:
+            if secret is not None and process.stdin is not None:
+                process.stdin.write(secret.encode() + b"\n")
             job.fault = await hear_lines(process, JobLine, partial(self._heard, job))
             code = await process.wait()
             if job.fault is None and (code != 0 or job.answer is None):

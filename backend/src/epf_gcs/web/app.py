@@ -25,6 +25,7 @@ from epf_gcs.web.endpoint import StreamEndpoint
 from epf_gcs.web.interface.about import routes as about
 from epf_gcs.web.interface.access import routes as access_routes
 from epf_gcs.web.interface.alarms import routes as alarms
+from epf_gcs.web.interface.backups import routes as backups
 from epf_gcs.web.interface.checklist import routes as checklist
 from epf_gcs.web.interface.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.interface.commands import routes as commands
@@ -95,6 +96,7 @@ def _interface() -> APIRouter:
         flight_marks,
         flight_plans,
         jobs,
+        backups,
         about,
         inspector,
         certificate_routes,

@@ -90,6 +90,7 @@ A_VIEWER_MAY_SEND = {
     ("POST", "/api/v1/flights/{flight_id}/marks"),
 }
 FOR_OWNERS = {
+    ("POST", "/api/v1/backups"),
     ("PUT", "/api/v1/flights/policy"),
     ("DELETE", "/api/v1/flights/{flight_id}"),
     ("POST", "/api/v1/flights/{flight_id}/restore"),

@@ -151,7 +151,7 @@ export function createFlights(parts: Parts): {
     if (kind === "index" && flight !== null && flight === store.getState().selected) {
       void readStory(flight);
     }
-    if (kind !== "export" && kind !== "report") {
+    if (kind !== "export" && kind !== "report" && kind !== "backup") {
       readAgain();
     }
   }

@@ -24,11 +24,12 @@ _viewer, _operator, _owner = Role.viewer, Role.operator, Role.owner
 
 class Entry(NamedTuple):
     """`least`: the least role. `control`: the caller must also have control, or nobody has it. `deed`: what the log of
-    people's deeds calls it; None: not logged."""
+    people's deeds calls it; None: not logged. `secret`: what the request says is not written there."""
 
     least: Least
     control: bool = False
     deed: str | None = None
+    secret: bool = False
 
 
 def _command(deed: str) -> Entry:
@@ -142,8 +143,10 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/flights/{flight_id}/signals"): _SEES,
     ("GET", "/flights/{flight_id}/topics"): _SEES,
     ("GET", "/flights/{flight_id}/track"): _SEES,
+    ("POST", "/backups"): Entry(_owner, deed="backup", secret=True),
     ("GET", "/jobs"): _SEES,
     ("GET", "/jobs/{job_id}"): _SEES,
+    # A backup's is an owner's (`job_routes`).
     ("GET", "/jobs/{job_id}/result"): _SEES,
     # Its own; another's is an operator's (`job_routes`).
     ("DELETE", "/jobs/{job_id}"): _SEES,

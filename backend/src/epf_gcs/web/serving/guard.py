@@ -142,7 +142,7 @@ class Guard:
             )
             await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
             return
-        if deed is not None:
+        if deed is not None and entry is not None and not entry.secret:
             deed.body = body
         await self._app(scope, _replay(body, receive), send)
 

@@ -51,9 +51,11 @@ async def cancel_job(job_id: JobId, flights: FlightsDep, caller: AdmittedDep) ->
         **reading_problems(404),
     },
 )
-async def get_job_result(job_id: JobId, flights: FlightsDep) -> FileResponse:
-    """The file that a job made."""
+async def get_job_result(job_id: JobId, flights: FlightsDep, caller: AdmittedDep) -> FileResponse:
+    """The file that a job made. That of a backup is for owners."""
     job = flights.jobs.get(job_id)
+    if job.kind == "backup":
+        admitted(caller, Role.owner)
     if job.result is None or job.told.result is None:
         raise NotFoundError("job_over", f"The job '{job_id}' has no file to be fetched: start it again.", job=job_id)
     return FileResponse(job.result, media_type="application/octet-stream", filename=job.result_name)
