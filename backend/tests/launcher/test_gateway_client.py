@@ -44,7 +44,7 @@ def gateway() -> Iterator[tuple[GatewayClient, Answers]]:
             self.end_headers()
             self.wfile.write(data)
 
-        do_GET = do_PUT = do_POST = answer  # noqa: N815 (http.server's names)
+        do_GET = do_PUT = do_POST = do_DELETE = answer  # noqa: N815 (http.server's names)
 
         def log_message(self, *_: object) -> None:
             """Quietly."""
@@ -95,6 +95,13 @@ def test_a_refusal_is_told_in_the_gateways_own_words(gateway: tuple[GatewayClien
     with pytest.raises(RefusedError, match=r"PUT /api/v1/links/board: /dev/nothing does not exist\."):
         client.open_board("serial:///dev/nothing")
     assert len(answers.requests) == 1
+
+
+def test_the_first_start_is_ended(gateway: tuple[GatewayClient, Answers]) -> None:
+    client, answers = gateway
+    answers.of["/api/v1/first-start"] = lambda _: (200, {})
+    client.end_first_start()
+    assert answers.requests == [("DELETE", "/api/v1/first-start", None, None)]
 
 
 def test_while_a_page_has_control_the_request_is_made_in_its_name(gateway: tuple[GatewayClient, Answers]) -> None:

@@ -46,6 +46,20 @@ assert found[0] == (os.SCHED_OTHER, 19), found
 assert mine() == before, "the thread that flies keeps its own"
 """
 
+_SLOW_DOWN = """
+import os, subprocess, sys
+from epf_gcs.system.priority import slow_down
+other = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+def niceness():
+    return os.getpriority(os.PRIO_PROCESS, other.pid)
+before = niceness()
+slow_down(other.pid, 2)
+assert niceness() == min(before + 2, 19), (before, niceness())
+slow_down(other.pid)
+assert niceness() == 19
+other.communicate(b"end\\n")
+"""
+
 _CORES = """
 import os, subprocess, sys, threading
 from epf_gcs.system.priority import leave_flight_core, take_own_core
@@ -93,6 +107,11 @@ def test_what_it_says_is_what_the_process_and_its_threads_have() -> None:
 @pytest.mark.usefixtures("true_priority")
 def test_the_repair_of_old_recordings_gives_way_to_everything(tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-c", _REPAIR, str(tmp_path / "absent.mcap")], check=True, timeout=DEADLINE_S)
+
+
+@pytest.mark.usefixtures("true_priority")
+def test_another_process_is_slowed_down_by_so_much() -> None:
+    subprocess.run([sys.executable, "-c", _SLOW_DOWN], check=True, timeout=DEADLINE_S)
 
 
 def test_without_the_permission_for_real_time_it_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -20,6 +20,7 @@ from epf_gcs.web.serving.settings import Settings
 from tests.support.callers import Browser, person, program, stranger, strict_gateway
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
+from tests.support.quick_doctor import QuickDoctor
 
 pytestmark = pytest.mark.uncounted
 
@@ -46,6 +47,7 @@ def flying(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
     folder: Path = tmp_path_factory.mktemp("openapi")
     with FakeBoard(folder / "board") as board, running_gateway(folder / "data") as gateway:
         gateway.open_board(board.url)
+        gateway.web.doctor = QuickDoctor()
         yield gateway
 
 
@@ -85,6 +87,7 @@ def strict(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Gateway, 
     """A gateway that trusts nobody, and a client of each role. Programs, because a person could leave."""
     folder: Path = tmp_path_factory.mktemp("strict")
     with strict_gateway(folder / "data") as gateway, person(gateway, Role.owner) as owner:
+        gateway.web.doctor = QuickDoctor()
         clients = {role.name: program(gateway, role, owner, role.name)[0] for role in Role}
         for client in clients.values():
             client.get("/status").raise_for_status()

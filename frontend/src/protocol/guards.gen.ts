@@ -78,11 +78,9 @@ export const isTrackPlace = shape({
 export type TrackPlace = Checked<typeof isTrackPlace>;
 
 /** Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
- * there is a warning. `outside`: beyond the fence's border or over its ceiling. `datum_unknown`: nobody has said what
- * the heights of the ground here count from, so that they may be off by the geoid's height. */
+ * there is a warning. `outside`: beyond the fence's border or over its ceiling. */
 export const isAircraftAround = shape({
   blind: nullable(oneOf("no_position", "no_heights", "no_heights_here")),
-  datum_unknown: isFlag,
   fence: nullable(isThreatAhead),
   ground_ft: nullable(isNumber),
   height_ft: nullable(isNumber),
@@ -258,7 +256,7 @@ export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
 
 /** What is wrong with the certificate, or soon will be. */
 export const isCertificateFault = shape({
-  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
   detail: isText,
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
@@ -486,6 +484,20 @@ export const isDeletedFlight = shape({
   title: isText,
 });
 export type DeletedFlight = Checked<typeof isDeletedFlight>;
+
+/** One thing that was looked at: what was found, and what to do about it ("" if nothing). */
+export const isDoctorFinding = shape({
+  mend: isText,
+  state: oneOf("ok", "note", "fault"),
+  what: isText,
+});
+export type DoctorFinding = Checked<typeof isDoctorFinding>;
+
+/** All that was looked at, in that order. */
+export const isDoctorReport = shape({
+  findings: list(isDoctorFinding),
+});
+export type DoctorReport = Checked<typeof isDoctorReport>;
 
 /** Volts: the means of the first and the last ten seconds, and the lowest sample. */
 export const isReportBattery = shape({
@@ -727,7 +739,7 @@ export const isPreparedField = shape({
   name: isText,
   percent: nullable(isNumber),
   problem: nullable(isText),
-  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
+  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
   problem_params: dictionary(nullable(either(isText, isNumber, isFlag))),
   retries: isNumber,
   sources: list(isFieldSourceName),
@@ -768,6 +780,12 @@ export const isFieldProof = shape({
 });
 export type FieldProof = Checked<typeof isFieldProof>;
 
+/** `is_due`: nobody has set this station up yet, and nobody has put it off. */
+export const isFirstStartState = shape({
+  is_due: isFlag,
+});
+export type FirstStartState = Checked<typeof isFirstStartState>;
+
 /** A small picture: `track` as [x, y] pairs with x to the east and y to the north, `altitude` evenly spaced in
  * time. All values are 0 to 1; null altitudes are not known. */
 export const isThumbnail = shape({
@@ -779,8 +797,7 @@ export type Thumbnail = Checked<typeof isThumbnail>;
 /** One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
  *
  * `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
- * about the file. `copies` are the ids of other files with the same content: the list leaves them out. `started_s` is
- * corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time. */
+ * about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time. */
 export const isFlight = shape({
   active: isFlag,
   aircraft: nullable(isText),
@@ -789,7 +806,6 @@ export const isFlight = shape({
   bytes: isNumber,
   clock_ahead_s: isNumber,
   clock_unsure: isFlag,
-  copies: list(isText),
   damage: nullable(isText),
   distance_nm: nullable(isNumber),
   duration_s: nullable(isNumber),
@@ -947,25 +963,23 @@ export const isJob = shape({
   file: nullable(isText),
   flight: nullable(isText),
   id: isText,
-  kind: oneOf("pack", "index", "keys", "import", "export", "report", "backup"),
+  kind: oneOf("pack", "index", "keys", "import", "export", "report"),
   progress: isNumber,
   result: nullable(isJobResult),
   state: oneOf("waiting", "running", "done", "failed", "cancelled"),
 });
 export type Job = Checked<typeof isJob>;
 
-/** One page of the flights that were asked for. `total` counts all pages; `tags`, `boards`, `all_aircraft` and
- * `operators` are those of the whole library; `unnamed` are files among the recordings whose names are no flight's,
- * which an import makes flights; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft
- * that flies now is called, empty for no name. */
+/** One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
+ * whole library; `unnamed` are files among the recordings whose names are no flight's, which an import makes flights;
+ * `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is called, empty
+ * for no name. */
 export const isFlightList = shape({
   aircraft: isText,
-  all_aircraft: list(isText),
   boards: list(isText),
   disk: isFlightDisk,
   flights: list(isFlight),
   indexing: list(isJob),
-  operators: list(isText),
   tags: list(isText),
   total: isNumber,
   unnamed: list(isText),
@@ -1288,19 +1302,12 @@ export const isMapImport = shape({
 });
 export type MapImport = Checked<typeof isMapImport>;
 
-/** A layer that can be chosen, or says why it cannot.
- *
- * Of terrain alone: `datum`, what its heights count from, the sea (orthometric) or the ellipsoid; None: not known, and
- * taken for the sea until somebody chooses. `datum_stated`: the set says it itself. `geoid_m`: how high the sea is
- * above the ellipsoid in its middle. */
+/** A layer that can be chosen, or says why it cannot. */
 export const isMapLayer = shape({
   attribution: isText,
   bytes: isNumber,
-  datum: nullable(oneOf("orthometric", "ellipsoidal")),
-  datum_stated: isFlag,
   east_deg: isNumber,
   format: oneOf("mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_vector", "field_terrain"),
-  geoid_m: nullable(isNumber),
   id: isText,
   kind: oneOf("imagery", "terrain", "vector"),
   maximum_zoom: isNumber,
@@ -1751,7 +1758,7 @@ export const isThresholdList = shape({
 });
 export type ThresholdList = Checked<typeof isThresholdList>;
 
-/** What is drawn now; `can_restore`: an earlier one is kept: cleared last, or flown before a restart. */
+/** What is drawn now; `can_restore`: the track that was cleared last is still kept. */
 export const isTrackState = shape({
   can_restore: isFlag,
   flight_points: isNumber,

@@ -76,6 +76,7 @@ class Demonstration:
         for child in self._children:
             child.start()
         self._wait("the gateway answers", lambda _: True)
+        self._gateway.end_first_start()
         self._gateway.open_board(options.board_url())
         self._gateway.open_simulator(simulator)
         if options.board is None:

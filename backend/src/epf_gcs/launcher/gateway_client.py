@@ -50,6 +50,10 @@ class GatewayClient:
         """State of links, recording and control."""
         return self._request("GET", "/api/v1/status")
 
+    def end_first_start(self) -> None:
+        """Have the page never ask for what this program sets up."""
+        self._request("DELETE", "/api/v1/first-start")
+
     def open_board(self, url: str) -> None:
         """Have the gateway open the board's link, and keep it open."""
         self._request("PUT", "/api/v1/links/board", {"url": url})

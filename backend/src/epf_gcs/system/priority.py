@@ -105,6 +105,14 @@ def be_nice(niceness: int = _LOWEST) -> None:
             os.nice(niceness)
 
 
+def slow_down(process: int, niceness: int = _LOWEST) -> None:
+    """As `be_nice`, for another process of this user that has just been started and has no threads yet."""
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):
+            before = os.getpriority(os.PRIO_PROCESS, process)
+            os.setpriority(os.PRIO_PROCESS, process, min(before + niceness, _LOWEST))
+
+
 def read_last() -> None:
     """Let this process use the disk only while nobody else does."""
     if sys.platform == "linux":

@@ -47,6 +47,7 @@ from epf_gcs.web.interface.missions import rehearsal_routes as mission_rehearsal
 from epf_gcs.web.interface.missions import routes as missions
 from epf_gcs.web.interface.parameters import routes as parameters
 from epf_gcs.web.interface.recordings import routes as recordings
+from epf_gcs.web.interface.setup import routes as setup
 from epf_gcs.web.interface.state import routes as state
 from epf_gcs.web.interface.state.probes import disk_of, probe_router
 from epf_gcs.web.interface.surroundings import routes as surroundings
@@ -98,6 +99,7 @@ def _interface() -> APIRouter:
         jobs,
         backups,
         about,
+        setup,
         inspector,
         certificate_routes,
         access_routes,

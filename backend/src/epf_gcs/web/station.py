@@ -43,6 +43,8 @@ from epf_gcs.track.tracks import Tracks
 from epf_gcs.web.checklist.checklist_store import KeptChecklist
 from epf_gcs.web.endpoint import StreamParts
 from epf_gcs.web.replays.replays import Replays
+from epf_gcs.web.setup.doctor import Doctor
+from epf_gcs.web.setup.first_start import FirstStart
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.open_streams import OpenStreams
@@ -120,6 +122,8 @@ class Station:
             "checklist": KeptChecklist(data_dir),
             "rehearsals": Rehearsals(self.maps),
             "surroundings": self.surroundings,
+            "first_start": FirstStart(data_dir),
+            "doctor": Doctor(data_dir),
             "hub": self.hub,
             "clock": self.clock,
         }

@@ -94,6 +94,9 @@ FOR_OWNERS = {
     ("PUT", "/api/v1/flights/policy"),
     ("DELETE", "/api/v1/flights/{flight_id}"),
     ("POST", "/api/v1/flights/{flight_id}/restore"),
+    ("GET", "/api/v1/first-start"),
+    ("DELETE", "/api/v1/first-start"),
+    ("GET", "/api/v1/doctor"),
 }
 
 

@@ -31,6 +31,8 @@ from epf_gcs.surroundings.watch import Surroundings
 from epf_gcs.track.tracks import Tracks
 from epf_gcs.web.checklist.checklist_store import KeptChecklist
 from epf_gcs.web.serving.guard import admitted
+from epf_gcs.web.setup.doctor import Doctor
+from epf_gcs.web.setup.first_start import FirstStart
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.vehicle.mirror import VehicleMirror
@@ -68,6 +70,9 @@ ChecklistDep = Annotated[KeptChecklist, _part("checklist")]
 RehearsalsDep = Annotated[Rehearsals, _part("rehearsals")]
 """Flies plans in a model before they are sent."""
 SurroundingsDep = Annotated[Surroundings, _part("surroundings")]
+FirstStartDep = Annotated[FirstStart, _part("first_start")]
+DoctorDep = Annotated[Doctor, _part("doctor")]
+"""Looks at this computer in a process of its own."""
 HubDep = Annotated[Hub, _part("hub")]
 """Tells all viewers."""
 ClockDep = Annotated[Clock, _part("clock")]

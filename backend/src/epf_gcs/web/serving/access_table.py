@@ -171,6 +171,10 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/access/certificates"): _OWNS,
     # What a phone needs before it can come in; it is shown in each handshake anyway.
     ("GET", "/access/authority"): _ANYONE,
+    ("GET", "/first-start"): Entry(_owner),
+    ("DELETE", "/first-start"): Entry(_owner),
+    # It tells of this computer: folders, programs and ports.
+    ("GET", "/doctor"): Entry(_owner),
     ("GET", "/openapi.json"): _SEES,
 }
 

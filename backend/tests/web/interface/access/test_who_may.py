@@ -16,6 +16,7 @@ from epf_gcs.access.roles import OPEN, Role
 from epf_gcs.web.serving.access_table import ROUTES, Entry
 from tests.support.callers import person, program, stranger, strict_gateway
 from tests.support.gateway import Gateway
+from tests.support.quick_doctor import QuickDoctor
 from tests.support.waiting import DEADLINE_S
 
 REFUSED = {"not_admitted", "role_too_low", "access_too_many_tries"}
@@ -35,6 +36,7 @@ Client = httpx.Client
 @pytest.fixture(scope="module")
 def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
     with strict_gateway(tmp_path_factory.mktemp("who") / "data") as gateway:
+        gateway.web.doctor = QuickDoctor()
         yield gateway
 
 

@@ -1,0 +1,1 @@
+"""Setting a station up: whether that was ever done, and what the doctor finds on this computer."""
