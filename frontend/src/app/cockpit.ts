@@ -8,6 +8,7 @@ import { createParameterActions, takeParameterEvent } from "../features/paramete
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
 import { createBoardConsole } from "../features/setup/consoleRequests";
+import { createDoctor, DOCTOR } from "../features/setup/doctor";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS, type PlanStore } from "../missions/planDrafts";
 import { createSelection, SELECTION } from "../missions/selection";
@@ -77,5 +78,6 @@ function withTools(parts: Parts, core: Core): Parts {
     .with(AHRS, createAhrs3d(core))
     .with(SELECTION, createSelection())
     .with(INSPECTOR, createInspector(core.rest))
-    .with(EMULATION, createEmulation(core));
+    .with(EMULATION, createEmulation(core))
+    .with(DOCTOR, createDoctor(core));
 }
