@@ -8,6 +8,8 @@ type Fixtures = {
   boardOptions: readonly string[];
   /** Whether browsers of this computer need no key; false makes all of them strangers. */
   trustsThisComputer: boolean;
+  /** Whether the station was never set up: its page asks for that first. */
+  isNew: boolean;
   /** A station whose aircraft flies the Gando route. */
   flying: Station;
 };
@@ -38,9 +40,10 @@ const SLOW_GRAPHICS = /GL Driver Message \(OpenGL, Performance/;
 export const test = base.extend<Fixtures>({
   boardOptions: [[], { option: true }],
   trustsThisComputer: [true, { option: true }],
+  isNew: [false, { option: true }],
 
-  station: async ({ boardOptions, trustsThisComputer }, use) => {
-    const station = (await Station.there()) ?? (await Station.start(boardOptions, trustsThisComputer));
+  station: async ({ boardOptions, trustsThisComputer, isNew }, use) => {
+    const station = (await Station.there()) ?? (await Station.start(boardOptions, trustsThisComputer, isNew));
     await use(station);
     await station.stop();
   },

@@ -42,11 +42,19 @@ export class Station {
       await station.closeLinks();
       return true;
     });
+    await station.endFirstStart();
     return station;
   }
 
-  /** `trustsThisComputer` false: every browser of the journey is a stranger, as one of another machine is. */
-  static async start(boardOptions: readonly string[] = [], trustsThisComputer = true): Promise<Station> {
+  /**
+   * `trustsThisComputer` false: every browser of the journey is a stranger, as one of another machine is. `isNew`: its page
+   * asks for what a new station has to know; of all others it shows the tabs at once.
+   */
+  static async start(
+    boardOptions: readonly string[] = [],
+    trustsThisComputer = true,
+    isNew = false,
+  ): Promise<Station> {
     const data = await mkdtemp(path.join(tmpdir(), "epf-e2e-"));
     const [boardPort, linePort, httpPort] = [await freeTcpPort(), await freeTcpPort(), await freeTcpPort()];
     const udp = { receive_port: await freeUdpPort(), send_port: await freeUdpPort() };
@@ -76,6 +84,7 @@ export class Station {
     );
     try {
       await station.answers();
+      if (!isNew) await station.endFirstStart();
     } catch (error) {
       await station.stop();
       throw error;
@@ -226,6 +235,10 @@ export class Station {
   private async enterAsOwner(): Promise<void> {
     await until("the gateway", async () => ((await fetch(`${this.url}/api/v1/access/me`)).ok ? true : undefined));
     this.cookie = await cookieFor(this.url, await this.invite("owner"));
+  }
+
+  private async endFirstStart(): Promise<void> {
+    await this.request("DELETE", "first-start");
   }
 
   private async closeLinks(): Promise<void> {

@@ -21,10 +21,11 @@ import { PresentPage } from "./bars/presentPage";
 import { StatusBar } from "./bars/StatusBar";
 import { FlightInstruments } from "./compact/FlightInstruments";
 import { Strip } from "./compact/Strip";
-import { DialogsProvider, FieldWished, LoadFailure } from "./dialogs";
+import { DialogsProvider, FIRST_START_PAGE, FieldWished, LoadFailure } from "./dialogs";
 import { FlightDisplay } from "./FlightDisplay";
+import { FIRST_START } from "./firstStart/firstStart";
 import { LeftPanel } from "./LeftPanel";
-import { useLayout, useLayoutOnDocument } from "./layout";
+import { type Layout, useLayout, useLayoutOnDocument } from "./layout";
 import { MainTabs } from "./MainTabs";
 import { SHOWN } from "./past";
 import { areKeysOn, isTimeBarShown, motionOf } from "./settings/choices";
@@ -121,7 +122,6 @@ function Window() {
   const isPast = shown.past !== null;
   const layout = useLayout();
   const isWide = layout === "wide";
-  const tab = useOpenTab();
   useLayoutOnDocument(layout);
   const hasKeys = useSettings(areKeysOn);
   const hasTimeBar = useSettings(isTimeBarShown);
@@ -157,15 +157,7 @@ function Window() {
               </div>
               <div className="app-middle">
                 {isWide && <Dock edge="left" />}
-                {/* Another page, other components: nothing that one of them remembers is of the other page. */}
-                <div className="app-body" key={shown.key}>
-                  {tab === "fly" ? <FlightDisplay /> : isWide ? <LeftPanel /> : <FlightInstruments />}
-                  <main className="app-main">
-                    <MainTabs layout={layout} />
-                    <Tuning />
-                    <ScreenStick />
-                  </main>
-                </div>
+                <Body layout={layout} />
                 {isWide && <Dock edge="right" />}
               </div>
               {isWide && <Dock edge="bottom" />}
@@ -181,5 +173,26 @@ function Window() {
         </DialogsProvider>
       </PresentPage>
     </PageContext>
+  );
+}
+
+/** The open tab and what stands beside it; of a new station, what that has to know first. */
+function Body({ layout }: { readonly layout: Layout }) {
+  const { key, past } = usePage();
+  const tab = useOpenTab();
+  const isFirstStart = useStore(usePart(FIRST_START).store, ({ isShown }) => isShown);
+  if (isFirstStart && past === null) {
+    return <FIRST_START_PAGE.Part waiting={null} failed={(retry) => <LoadFailure onRetry={retry} />} />;
+  }
+  return (
+    // Another page, other components: nothing that one of them remembers is of the other page.
+    <div className="app-body" key={key}>
+      {tab === "fly" ? <FlightDisplay /> : layout === "wide" ? <LeftPanel /> : <FlightInstruments />}
+      <main className="app-main">
+        <MainTabs layout={layout} />
+        <Tuning />
+        <ScreenStick />
+      </main>
+    </div>
   );
 }

@@ -24,6 +24,11 @@ export const DIALOGS = {
   shortcuts: lazyPart(async () => (await import("./shortcuts/ShortcutsDialog")).ShortcutsContent),
 } as const satisfies Readonly<Record<DialogName, LazyPart>>;
 
+/** What a new station has to know. */
+export const FIRST_START_PAGE = lazyPart(
+  async () => (await import("./firstStart/FirstStartPage")).FirstStartPage,
+);
+
 const SIZES: Readonly<Partial<Record<DialogName, "normal" | "drawer">>> = {
   settings: "normal",
   signal: "normal",
@@ -98,7 +103,7 @@ function Asked({ question, onClose }: { question: Question; onClose: () => void 
 /** Load every part in advance: tabs and dialogs must still open after the network is lost. */
 export async function loadParts(): Promise<void> {
   await loadViews();
-  for (const { load } of Object.values(DIALOGS)) {
+  for (const { load } of [...Object.values(DIALOGS), FIRST_START_PAGE]) {
     await load();
   }
 }

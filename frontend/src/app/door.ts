@@ -6,9 +6,10 @@ import { createEntry, ENTRY } from "../features/access/entry";
 import { addressedTab, addressOf, takeAddressedKey } from "../features/access/keyAddress";
 import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import type { Core, Group } from "./core";
+import { createFirstStart, FIRST_START } from "./firstStart/firstStart";
 import { followOpenTab, openAddressedTab } from "./views/views";
 
-/** Who may come in and who has control, and which version of the page it is. */
+/** Who may come in and who has control, whether the station is set up, and which version of the page it is. */
 export interface Door extends Group {
   /** Ask anew who this page is to the gateway. */
   readonly review: () => void;
@@ -29,6 +30,10 @@ export function createDoor(core: Core, open: () => void, shutOut: () => void): D
     stop: shutOut,
   });
   const newVersion = createNewVersion();
+  const { firstStart, begin: beginFirstStart } = createFirstStart({
+    ...core,
+    connection: core.vehicle.connection,
+  });
   return {
     review,
     addTo: (parts) =>
@@ -37,6 +42,7 @@ export function createDoor(core: Core, open: () => void, shutOut: () => void): D
         .with(NEW_VERSION, newVersion)
         .with(ACCESS_ADMIN, createAccessAdmin({ ...core, address: world.address.read }))
         .with(CONTROL_PAGES, createControlPages(rest, timers))
+        .with(FIRST_START, firstStart)
         .with(ABOUT, createAbout(core)),
     takeEvent: (message) => {
       if (message.event === "access") {
@@ -56,6 +62,7 @@ export function createDoor(core: Core, open: () => void, shutOut: () => void): D
       });
       const openAddressed = (): void => openAddressedTab(core.settings, addressedTab(world.address));
       openAddressed();
+      beginFirstStart();
       world.address.onMoved(openAddressed);
     },
   };

@@ -29,7 +29,8 @@ export function BoardLink() {
   );
 }
 
-function BoardForm() {
+/** Port, speed, open and close, and why it could not be opened. */
+export function BoardForm() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const sentence = useSentence();

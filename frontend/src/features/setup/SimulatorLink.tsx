@@ -70,7 +70,8 @@ function useOpenLink(): Link | null {
   return { send_host, send_port, receive_port, profile };
 }
 
-function SimulatorForm() {
+/** Address, ports, open and close, and what is not received. */
+export function SimulatorForm() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const actions = usePart(ACTIONS);
