@@ -43,9 +43,7 @@ export function ActiveAlarms() {
       {alarms.length === 0 && (
         <p className="alarms-none">
           <CircleCheck size={16} aria-hidden="true" />
-          {ended.length === 0
-            ? t("alarmLog.none")
-            : t("alarmLog.noneButEnded", { count: ended.length })}
+          {ended.length === 0 ? t("alarmLog.none") : t("alarmLog.noneButEnded", { count: ended.length })}
         </p>
       )}
       {alarms.length + ended.length > 0 && (

@@ -34,7 +34,13 @@ const GROUPS: readonly ReadoutGroup[] = [
     size: "large",
     topic: "simulator",
     rows: [
-      { field: "indicated_airspeed_kt", label: "hil.airspeed", hint: "hilHint.airspeed", as: "speed", unit: "unit.kias" },
+      {
+        field: "indicated_airspeed_kt",
+        label: "hil.airspeed",
+        hint: "hilHint.airspeed",
+        as: "speed",
+        unit: "unit.kias",
+      },
       { field: "altitude_indicated_ft", label: "hil.altitude", as: "altitude" },
     ],
   },
@@ -65,7 +71,12 @@ const GROUPS: readonly ReadoutGroup[] = [
     rows: [
       { field: "alpha_deg", label: "hil.alpha", hint: "hilHint.alpha", as: FINE_ANGLE },
       { field: "beta_deg", label: "hil.beta", hint: "hilHint.beta", as: FINE_ANGLE },
-      { field: "horizontal_path_deg", label: "hil.horizontalPath", hint: "hilHint.horizontalPath", as: HEADING },
+      {
+        field: "horizontal_path_deg",
+        label: "hil.horizontalPath",
+        hint: "hilHint.horizontalPath",
+        as: HEADING,
+      },
       { field: "vertical_path_deg", label: "hil.verticalPath", hint: "hilHint.verticalPath", as: FINE_ANGLE },
     ],
   },

@@ -10,6 +10,6 @@ test("until the globe is drawn its field says that it is loaded, and has no scal
       <MapCorner />
     </Part>,
   );
-  expect(screen.getByText("Cargando el globo…").getAttribute("role")).toBe("status");
+  expect(screen.getByRole("status").textContent).toBe("Cargando el globo…");
   expect(screen.queryByRole("img", { name: /norte/ })).toBeNull();
 });

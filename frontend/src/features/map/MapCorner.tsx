@@ -117,7 +117,7 @@ function ScaleBar({ onDrawn }: { readonly onDrawn: (isDrawn: boolean) => void })
     });
     return () => tools?.onScale(null);
   }, [tools, distance, onDrawn]);
-  useEffect(() => () => onDrawn(false), [tools, onDrawn]);
+  useEffect(() => (tools === null ? undefined : () => onDrawn(false)), [tools, onDrawn]);
   return (
     <span className="map-scale">
       <span ref={needle} className="map-needle" role="img" aria-label={t("map.tools.north")} />
