@@ -50,11 +50,7 @@ export class Station {
    * `trustsThisComputer` false: every browser of the journey is a stranger, as one of another machine is. `isNew`: its page
    * asks for what a new station has to know; of all others it shows the tabs at once.
    */
-  static async start(
-    boardOptions: readonly string[] = [],
-    trustsThisComputer = true,
-    isNew = false,
-  ): Promise<Station> {
+  static async start(boardOptions: readonly string[] = [], trustsThisComputer = true, isNew = false): Promise<Station> {
     const data = await mkdtemp(path.join(tmpdir(), "epf-e2e-"));
     const [boardPort, linePort, httpPort] = [await freeTcpPort(), await freeTcpPort(), await freeTcpPort()];
     const udp = { receive_port: await freeUdpPort(), send_port: await freeUdpPort() };

@@ -25,7 +25,7 @@ class HeldJobs(Jobs):
         super().__init__(lambda *_: None)
         self.ends: dict[str, asyncio.Event] = {}
 
-    async def _work(self, job: Job, arguments: list[str]) -> None:
+    async def _work(self, job: Job, arguments: list[str], secret: str | None) -> None:
         await self.ends.setdefault(job.id, asyncio.Event()).wait()
         job.answer = JobAnswer()
 

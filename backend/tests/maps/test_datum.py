@@ -171,7 +171,9 @@ def test_the_vertical_system_of_a_geotiff_is_read(tmp_path: Path, crs: str, datu
     def level(x: Any, _y: Any) -> Any:
         return x * 0 + 5.0
 
-    place: dict[str, Any] = {"west": 440_000.0, "north": 3_090_000.0, "step": 30.0} if crs.startswith("EPSG:326") else {}
+    place: dict[str, Any] = (
+        {"west": 440_000.0, "north": 3_090_000.0, "step": 30.0} if crs.startswith("EPSG:326") else {}
+    )
     opened = Heights(write_raster(tmp_path / "a.tif", level, crs=crs, **place), "a.tif")
     assert opened.datum == datum
     opened.close()

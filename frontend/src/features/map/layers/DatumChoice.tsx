@@ -21,7 +21,7 @@ export function DatumChoice({ layer }: { layer: MapLayer }) {
     return null;
   }
   if (datum_stated && datum !== null) {
-    return <p className="map-layers-hint">{t(`map.layers.datumStated.${datum}`)}</p>;
+    return <p className="map-layers-hint">{t(`mapDatumStated.${datum}`)}</p>;
   }
   const place = {
     latitude: middle(layer.south_deg, layer.north_deg),
@@ -38,7 +38,7 @@ export function DatumChoice({ layer }: { layer: MapLayer }) {
         placeholder={t("map.layers.datumChoose")}
         value={datum}
         onChange={(chosen) => void mapLayers.chooseDatum(layer, chosen, { control: `map.datum.${id}` })}
-        options={DATUMS.map((value) => ({ value, label: t(`map.layers.datums.${value}`) }))}
+        options={DATUMS.map((value) => ({ value, label: t(`mapDatum.${value}`) }))}
         disabledReason={blocked}
       />
     </>

@@ -89,7 +89,7 @@ export function createMapLayerActions(parts: RequesterParts & { readonly timers:
     chooseDatum: ({ id, name }: LayerName, datum, asker) =>
       run(asker, rest.ask("PUT", `${LAYERS}/${id}/datum`, isMapLayers, { datum }), (value) => {
         store.setState(value);
-        return { state: "confirmed", message: info(`map.layers.saidDatum.${datum}`, { name }) };
+        return { state: "confirmed", message: info(`mapDatumSaid.${datum}`, { name }) };
       }),
 
     chooseOnline: (choice, asker) =>
