@@ -74,7 +74,9 @@ def gather(root: Path, language: str, folder: Path, openapi: Mapping[str, Any]) 
     shutil.copytree(root / "frontend" / "docs", folder / "pictures")
     for name, text in interface.pages(openapi).items():
         _write(folder / "reference" / "interface" / name, words["english"] + text)
-    _write(folder / "reference" / "formats.md", (root / "docs" / language / "formats.md").read_text(encoding="utf-8"))
+    for name in ("formats", "lab"):
+        text = (root / "docs" / language / f"{name}.md").read_text(encoding="utf-8")
+        _write(folder / "reference" / f"{name}.md", text)
     _write(folder / "index.md", (root / "docs" / language / "index.md").read_text(encoding="utf-8"))
     for name, text in chapters(root, language, openapi).items():
         _write(folder / "guide" / name, text)
@@ -133,7 +135,13 @@ def config(language: str, docs: Path) -> str:
         {words["use"]: ["install.md", "linux-service.md", "changes.md"]},
         {
             words["reference"]: [
-                *("reference/wire.md", "reference/messages.md", "reference/formats.md", "reference/interface/index.md"),
+                *(
+                    "reference/wire.md",
+                    "reference/messages.md",
+                    "reference/formats.md",
+                    "reference/lab.md",
+                    "reference/interface/index.md",
+                ),
                 *(f"reference/interface/{name}" for name in shown),
             ]
         },
