@@ -31,7 +31,7 @@ import shipped
 PAGE: Final = Path("frontend/dist")
 BUILT: Final = Path("firmware/build")
 PROGRAM: Final = Path("static/epf-board")
-# The board's laws, which the lab loads. It needs the C library of the system: a computer whose is older than 2022 says so.
+# The board's laws, which the lab loads with the system's C library; an older one than of 2022 says so.
 LAWS: Final = Path("posix/libepf-flight.so")
 # The texts of the page's packages, which the About window links.
 LICENCES: Final = "licences.txt"

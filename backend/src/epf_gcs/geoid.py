@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import zlib
 from functools import cache
-from pathlib import Path
+from importlib.resources import files
 from typing import Final
 
 import numpy as np
@@ -22,7 +22,7 @@ COLUMNS: Final = 360 * PER_DEG
 UNIT_M: Final = 0.05
 """Steps of the file's heights: what is lost of the published grid is 0.02 m."""
 
-_FILE: Final = Path(__file__).with_name("egm96.bin")
+_FILE: Final = "egm96.bin"
 
 Degrees = float | npt.NDArray[np.float64]
 
@@ -50,7 +50,7 @@ def geoid_m(latitude_deg: Degrees, longitude_deg: Degrees) -> npt.NDArray[np.flo
 @cache
 def grid_m() -> npt.NDArray[np.float32]:
     """All points, ROWS x COLUMNS in metres, row by row from the north; 4 MB, kept once it was read."""
-    return unpacked_m(_FILE.read_bytes())
+    return unpacked_m(files(__package__).joinpath(_FILE).read_bytes())
 
 
 def packed(heights_m: npt.NDArray[np.float64]) -> bytes:
