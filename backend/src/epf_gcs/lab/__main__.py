@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any, Final, NoReturn
+from typing import Annotated, Final, NoReturn
 
 import typer
 
@@ -125,8 +125,8 @@ def compare(before: Folder, after: Folder) -> None:
     print(f"  distance from the way, rms: {found.change:+.1f} m ({low:+.1f} to {high:+.1f} with 95 % certainty)")
 
 
-def _read(given: Sequence[str]) -> tuple[dict[str, Any], dict[str, float]]:
-    values: dict[str, Any] = {}
+def _read(given: Sequence[str]) -> tuple[dict[str, object], dict[str, float]]:
+    values: dict[str, object] = {}
     gains: dict[str, float] = {}
     usual = Conditions()
     for one in given:

@@ -71,7 +71,7 @@ class Campaign:
     route: Route
     flights: int
     seed: int
-    fixed: Mapping[str, Any]
+    fixed: Mapping[str, object]
     drawn: Mapping[str, Draw]
     text: str = field(repr=False)
 
@@ -122,7 +122,7 @@ def read(path: Path) -> Campaign:
     return campaign
 
 
-def _table(given: Mapping[str, Any], name: str) -> dict[str, Any]:
+def _table(given: Mapping[str, object], name: str) -> dict[str, object]:
     table = given.get(name, {})
     if not isinstance(table, dict):
         raise LabError(f"`{name}` must be a table, as [{name}]")

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
-from typing import Any, Final
+from typing import Final
+
+import msgspec
 
 from epf_gcs.lab.errors import LabError
 from epf_gcs.simulator.link import LinkQuality
@@ -39,12 +42,15 @@ class Conditions:
     seed: int = 1
 
     @classmethod
-    def of(cls, values: dict[str, Any]) -> Conditions:
+    def of(cls, values: Mapping[str, object]) -> Conditions:
         """From names and values. Raises LabError for a name that there is none of, or a value that cannot be."""
         unknown = values.keys() - {field.name for field in fields(cls)}
         if unknown:
             raise LabError(f"there is no condition {', '.join(sorted(unknown))}: choose of {', '.join(NAMES)}")
-        conditions = cls(**values)
+        try:
+            conditions = msgspec.convert(values, cls)
+        except msgspec.ValidationError as error:
+            raise LabError(f"a condition has a value that it cannot have: {error}") from error
         conditions.options()
         return conditions
 
@@ -67,7 +73,7 @@ class Conditions:
             link=link,
         )
 
-    def but(self, **changed: Any) -> Conditions:
+    def but(self, **changed: object) -> Conditions:
         """The same with some of them changed. Raises LabError as `of`."""
         return Conditions.of({**{name: getattr(self, name) for name in NAMES}, **changed})
 

@@ -9,7 +9,7 @@ from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from multiprocessing import get_context
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.lab.campaign import Campaign
@@ -39,7 +39,7 @@ def fly_order(campaign: Campaign, number: int, library: Path | None = None) -> R
 
 def fly_wanted(
     wanted: str | Path | Sequence[Waypoint],
-    conditions: dict[str, Any],
+    conditions: Mapping[str, object],
     gains: Mapping[str, float] | None = None,
     library: Path | None = None,
 ) -> Flight:

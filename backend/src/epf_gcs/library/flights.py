@@ -31,7 +31,6 @@ _LOOK_EVERY_S: Final = 30.0
 _ROOM_EVERY_S: Final = 60.0
 # Flights whose bytes and seconds give the rate by which the hours left are judged.
 _JUDGED_BY: Final = 5
-
 # Work that the disk refused is tried again after so long: it may have room by then.
 _AGAIN_S: Final = 600.0
 _REFUSED: Final = ("flight_disk_full", "flight_not_written")
