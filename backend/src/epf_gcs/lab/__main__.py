@@ -19,6 +19,7 @@ from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
 from epf_gcs.lab.routes import route
 from epf_gcs.lab.rows import Results
+from epf_gcs.system.private_files import write_private_files
 
 app = typer.Typer(
     pretty_exceptions_enable=False,
@@ -167,6 +168,7 @@ def _percent(share: float) -> str:
 
 def main() -> NoReturn:
     """Run; what cannot be done is one sentence."""
+    write_private_files()
     try:
         code = app(standalone_mode=False)
     except LabError as error:
