@@ -10,7 +10,7 @@ import json
 import sys
 from pathlib import Path
 
-from . import emit_c, emit_json_schema, emit_markdown, emit_python, emit_typescript, released
+from . import emit_c, emit_json_schema, emit_markdown, emit_python, emit_python_samples, emit_typescript, released
 from .load import load
 from .model import Definition, DefinitionError
 
@@ -21,6 +21,7 @@ def outputs(definition: Definition) -> dict[str, str]:
     """All generated files: path from the root of the tree -> text."""
     return {
         "backend/src/epf_gcs/codec/messages_gen.py": emit_python.messages(definition),
+        "backend/src/epf_gcs/client/samples_gen.py": emit_python_samples.samples(definition),
         "firmware/src/comms/protocol_gen.h": emit_c.protocol_header(definition),
         "firmware/src/comms/protocol_gen.c": emit_c.protocol_source(definition),
         "firmware/src/params/parameters_gen.h": emit_c.parameters_header(definition),

@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from .emit_typescript import topics
-from .model import Definition, Message, Value
+from .model import Definition, Message, Value, topics
 
 KINDS = {"number": "number", "integer": "integer", "boolean": "boolean", "text": "string"}
 

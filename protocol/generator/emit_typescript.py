@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Mapping
 
-from .model import Definition, Message, Row, Value
+from .model import Definition, Message, Row, Value, topics
 
 NOTICE = (
     "// Made by protocol/generator (emit_typescript.py). "
@@ -93,11 +93,6 @@ export interface RowInfo {
 def messages(definition: Definition) -> str:
     """The whole module."""
     return "\n".join(_module(definition)).rstrip("\n") + "\n"
-
-
-def topics(definition: Definition) -> tuple[Message, ...]:
-    """What the gateway publishes: the board's topics, and the command that describes the simulator."""
-    return tuple(message for message in (*definition.messages, *definition.commands) if message.topic)
 
 
 def _module(definition: Definition) -> Iterator[str]:

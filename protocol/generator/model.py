@@ -223,3 +223,8 @@ class Definition:
     rows: tuple[Row, ...]
     routes: tuple[Route, ...]
     unused_command_ids: tuple[int, ...]
+
+
+def topics(definition: Definition) -> tuple[Message, ...]:
+    """What the gateway publishes: the board's topics, and the command that describes the simulator."""
+    return tuple(message for message in (*definition.messages, *definition.commands) if message.topic)

@@ -14,6 +14,7 @@ from epf_gcs.errors import ErrorCode, GatewayError
 
 JobKind = Literal["pack", "index", "keys", "import", "export", "report", "backup"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
+FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged", "unread"]
 EventKind = Literal[
     "advice",
     "alarm",
@@ -84,6 +85,48 @@ class Thumbnail(Shape):
 
     track: list[list[float]]
     altitude: list[float | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Flight(Shape):
+    """One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
+
+    `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
+    about the file. `copies` are the ids of other files with the same content: the list leaves them out. `started_s` is
+    corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
+    """
+
+    id: str
+    active: bool
+    state: FlightState
+    fault: Fault | None
+    damage: str | None
+    started_s: float
+    clock_ahead_s: float
+    clock_unsure: bool
+    duration_s: float | None
+    bytes: int
+    frames: int | None
+    frames_damaged: int | None
+    board: str | None
+    firmware: str | None
+    station: str | None
+    aircraft: str | None
+    operator: str | None
+    emulated: bool
+    imported: bool
+    highest_ft: float | None
+    fastest_kt: float | None
+    distance_nm: float | None
+    waypoints: int | None
+    alarms: int | None
+    marks: int | None
+    thumbnail: Thumbnail | None
+    title: str
+    tags: list[str]
+    notes: str
+    pinned: bool
+    copies: list[str]
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from fastapi import APIRouter, Path, Query, Request
 from starlette.requests import ClientDisconnect
 
 from epf_gcs.contract.answers import DiskPolicy
+from epf_gcs.contract.flights import Flight, FlightState
 from epf_gcs.contract.shapes import file_body
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.library.about import About
@@ -22,11 +23,9 @@ from epf_gcs.recordings.places import ID_PATTERN
 from epf_gcs.web.interface.deps import FlightsDep, HolderDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.interface.flights.schemas import (
     DeletedFlight,
-    Flight,
     FlightBin,
     FlightChange,
     FlightList,
-    FlightState,
     JobStart,
 )
 from epf_gcs.web.interface.flights.settings_schemas import (

@@ -9,13 +9,12 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from epf_gcs.contract.flights import Fault, Job, Thumbnail
+from epf_gcs.contract.flights import Flight, Job
 from epf_gcs.contract.shapes import Input, Output
 from epf_gcs.formats.kml_words import Language
 from epf_gcs.recordings.export_names import ExportFormat
 from epf_gcs.web.interface.flights.settings_schemas import FlightDisk
 
-FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged", "unread"]
 Tag = Annotated[str, Field(min_length=1, max_length=40)]
 TopicName = Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]{1,64}$")]
 MarkText = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500)]
@@ -31,47 +30,6 @@ class JobList(Output):
     """Jobs under way and the last that ended, newest first."""
 
     jobs: list[Job]
-
-
-class Flight(Output):
-    """One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
-
-    `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
-    about the file. `copies` are the ids of other files with the same content: the list leaves them out. `started_s` is
-    corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
-    """
-
-    id: str
-    active: bool
-    state: FlightState
-    fault: Fault | None
-    damage: str | None
-    started_s: float
-    clock_ahead_s: float
-    clock_unsure: bool
-    duration_s: float | None
-    bytes: int
-    frames: int | None
-    frames_damaged: int | None
-    board: str | None
-    firmware: str | None
-    station: str | None
-    aircraft: str | None
-    operator: str | None
-    emulated: bool
-    imported: bool
-    highest_ft: float | None
-    fastest_kt: float | None
-    distance_nm: float | None
-    waypoints: int | None
-    alarms: int | None
-    marks: int | None
-    thumbnail: Thumbnail | None
-    title: str
-    tags: list[str]
-    notes: str
-    pinned: bool
-    copies: list[str]
 
 
 class FlightList(Output):
