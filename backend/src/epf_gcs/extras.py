@@ -61,4 +61,5 @@ class Extra:
 SIM: Final = Extra("sim", ("jsbsim",), "The embedded simulator")
 MAPS: Final = Extra("maps", ("rasterio",), "Importing heights")
 FLIGHTS: Final = Extra("flights", ("pyarrow", "duckdb"), "Looking into recorded flights")
-ALL: Final = (SIM, MAPS, FLIGHTS)
+MAVLINK: Final = Extra("mavlink", ("pymavlink",), "Speaking MAVLink")
+ALL: Final = (SIM, MAPS, FLIGHTS, MAVLINK)

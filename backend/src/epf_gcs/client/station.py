@@ -137,6 +137,10 @@ class Station:
             if self._stream.is_open:
                 await self._rest.json("POST", "/control", {"client": client, "action": "release"})
 
+    async def ask_for_control(self) -> None:
+        """Ask whoever has control to give it. Raises StationError if this program has asked already, or has it."""
+        await self._rest.json("POST", "/control", {"client": self._stream.client, "action": "ask"})
+
     async def command(self, name: str, value: float | Sequence[float] | None = None) -> CommandOutcome:
         """Send a command by its name of the wire's reference, and wait for its proof or for what became of it."""
         body = None if value is None else {"value": value}
