@@ -101,18 +101,30 @@ def test_a_refusal_is_an_error_with_its_code_and_sentence(gateway: Gateway) -> N
 def test_control_is_never_taken_from_another(gateway: Gateway, board: FakeBoard) -> None:
     async def two() -> None:
         async for holder in opened(gateway, board):
-            async with Station(gateway.base, name="second") as second, holder.control():
-                with pytest.raises(ControlError):
-                    async with second.control():
-                        raise AssertionError("it has control")
-                with pytest.raises(ControlError):
-                    await second.command("autopilot_on")
-                assert "autopilot_on" not in board.received
-                released = asyncio.create_task(first(second.events(ControlEvent)))
-                await asyncio.sleep(0)
-            assert (await released).client is None
+            async with Station(gateway.base, name="second") as second:
+                async with holder.control():
+                    with pytest.raises(ControlError):
+                        async with second.control():
+                            raise AssertionError("it has control")
+                    with pytest.raises(ControlError):
+                        await second.command("autopilot_on")
+                    assert "autopilot_on" not in board.received
+                    released = asyncio.create_task(first(second.events(ControlEvent)))
+                    await asyncio.sleep(0)
+                assert (await released).client is None
 
     asyncio.run(two())
+
+
+def test_a_program_that_comes_first_leaves_control_to_whoever_takes_it(gateway: Gateway) -> None:
+    async def come() -> None:
+        async with Station(gateway.base) as station:
+            await station.until(lambda status: status.control.client is None, DEADLINE_S)
+            async with station.control():
+                mine = await station.until(lambda status: status.control.client is not None, DEADLINE_S)
+                assert mine.control.kind == "local"
+
+    asyncio.run(come())
 
 
 def test_a_programs_key_opens_the_stream_and_a_viewers_commands_nothing(tmp_path: Path) -> None:

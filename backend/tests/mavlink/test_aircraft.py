@@ -102,10 +102,11 @@ def test_controls_are_pulses() -> None:
     assert [servos.servo1_raw, servos.servo2_raw, servos.servo3_raw, servos.servo4_raw] == [1250, 1750, 2000, 1500]
 
 
-@pytest.mark.parametrize(
-    ("aircraft", "air", "plan"),
-    [("flight", Analog(altitude_m=290.0, calibrated_airspeed_kt=58.0), FmsPlan), ("hil", XplaneInfo(altitude_ft=951.443570, speed_kt=58.0), FmsHilPlan)],
-)  # fmt: skip
+REAL_AIR = Analog(altitude_m=290.0, calibrated_airspeed_kt=58.0)
+HIL_AIR = XplaneInfo(altitude_ft=951.443570, speed_kt=58.0)
+
+
+@pytest.mark.parametrize(("aircraft", "air", "plan"), [("flight", REAL_AIR, FmsPlan), ("hil", HIL_AIR, FmsHilPlan)])
 def test_guidance_has_the_errors_of_altitude_and_speed(
     aircraft: Aircraft, air: Topic, plan: Callable[..., Topic]
 ) -> None:

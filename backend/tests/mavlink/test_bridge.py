@@ -170,7 +170,7 @@ def test_a_plan_goes_down_and_comes_back_as_it_was(ground: GroundStation, board:
 
 
 def test_a_plan_that_the_board_cannot_fly_changes_nothing(ground: GroundStation, board: FakeBoard) -> None:
-    item = items_of(GANDO, None).items[1]
+    (item,) = items_of(GANDO[:1], GANDO[0].speed_kt).items
     assert ground.send_plan([item]) == WIRE.MAV_MISSION_INVALID
     assert board.plans[1] == []
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping
 from typing import Any, Final, Literal, TypeVar
 
@@ -14,13 +15,18 @@ AnswerT = TypeVar("AnswerT")
 Method = Literal["GET", "PUT", "POST", "PATCH", "DELETE"]
 # A board that does not answer is given up by the station after 15 s; its sentence is better than a time-out here.
 _PATIENCE_S: Final = 60.0
+_CONTROL: Final = "/control"
 _CONTROL_CODES: Final = frozenset({"control_held", "control_not_held", "control_unconfirmed"})
 
 
 class Rest:
-    """The interface under `/api/v1` of one station. Raises StationError where it refuses."""
+    """The interface under `/api/v1` of one station. Raises StationError where it refuses.
 
-    def __init__(self, url: str, key: str | None) -> None:
+    `asks_for_control`: what is refused because another has control asks that one for it.
+    """
+
+    def __init__(self, url: str, key: str | None, *, asks_for_control: bool) -> None:
+        self._asks_for_control = asks_for_control
         headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._http = httpx.AsyncClient(base_url=f"{url}/api/v1", headers=headers, timeout=_PATIENCE_S)
 
@@ -47,7 +53,11 @@ class Rest:
             raise StationLostError(f"The station at {self._http.base_url} does not answer: {error}.") from error
         if response.is_success:
             return response
-        raise _refusal(response)
+        refusal = _refusal(response)
+        if self._asks_for_control and isinstance(refusal, ControlError) and path != _CONTROL:
+            with contextlib.suppress(StationError):  # it has asked already
+                await self.json("POST", _CONTROL, {"client": self._http.headers["X-Client"], "action": "ask"})
+        raise refusal
 
     async def close(self) -> None:
         """Close its connections."""

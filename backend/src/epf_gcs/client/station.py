@@ -45,14 +45,16 @@ class Station:
 
     `url` as in a browser, such as http://127.0.0.1:8080; `key`: of a program, as the station's owner made it (the own
     computer needs none); `name`: what people on the station read; `rate_hz`: batches a second at most, 0 for every
-    sample.
+    sample; `asks_for_control`: a command that is refused because another has control asks that one for it.
     """
 
-    def __init__(self, url: str, key: str | None = None, *, name: str = "", rate_hz: int = 0) -> None:
+    def __init__(
+        self, url: str, key: str | None = None, *, name: str = "", rate_hz: int = 0, asks_for_control: bool = False
+    ) -> None:
         self._url = url.rstrip("/")
         self._key = key
         self._query = urlencode({"rate": rate_hz, "name": name})
-        self._rest = Rest(self._url, key)
+        self._rest = Rest(self._url, key, asks_for_control=asks_for_control)
         self._opened: Stream | None = None
 
     async def __aenter__(self) -> Self:
@@ -72,6 +74,9 @@ class Station:
             raise StationLostError(f"No station answers at {self._url}: {error}.") from error
         self._opened = Stream(connection, hello)
         self._rest.act_as(self._opened.client)
+        if hello["has_control"]:
+            # Who comes first has control without asking; a program has it while it says so.
+            await self._release()
         return self
 
     async def __aexit__(
@@ -135,11 +140,7 @@ class Station:
             yield
         finally:
             if self._stream.is_open:
-                await self._rest.json("POST", "/control", {"client": client, "action": "release"})
-
-    async def ask_for_control(self) -> None:
-        """Ask whoever has control to give it. Raises StationError if this program has asked already, or has it."""
-        await self._rest.json("POST", "/control", {"client": self._stream.client, "action": "ask"})
+                await self._release()
 
     async def command(self, name: str, value: float | Sequence[float] | None = None) -> CommandOutcome:
         """Send a command by its name of the wire's reference, and wait for its proof or for what became of it."""
@@ -220,6 +221,9 @@ class Station:
         made = await self._rest.fetch("GET", f"/jobs/{job_id}/result")
         await asyncio.to_thread(file.write_bytes, made.content)
         return file
+
+    async def _release(self) -> None:
+        await self._rest.json("POST", "/control", {"client": self._stream.client, "action": "release"})
 
     @property
     def _stream(self) -> Stream:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from typing import Final
 
-from epf_gcs.client import ControlError, Station, StationError, Topic
+from epf_gcs.client import Station, StationError, Topic
 from epf_gcs.contract.events import AlarmEvent
 from epf_gcs.mavlink.aircraft import AircraftState
 from epf_gcs.mavlink.choice import Choice
@@ -113,9 +113,6 @@ class Bridge:
             peer, message = await self._asked.get()
             try:
                 await self._do(peer, message)
-            except ControlError as refusal:
-                self._say(refusal.detail)
-                await self._ask_for_control()
             except StationError as refusal:
                 self._say(refusal.detail)
 
@@ -151,14 +148,6 @@ class Bridge:
             self._peers.send(answer)
         if fault:
             self._say(fault)
-
-    async def _ask_for_control(self) -> None:
-        """Who has control sees that somebody asks for it."""
-        try:
-            await self._station.ask_for_control()
-        except StationError:
-            # It has asked already.
-            return
 
     def _say(self, text: str, severity: int = WIRE.MAV_SEVERITY_WARNING) -> None:
         """Tell people at every peer."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import sys
 import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
-from socket import AF_INET
 from typing import Final
 
 from epf_gcs.client import Station, StationError, StationLostError
@@ -17,6 +18,7 @@ from epf_gcs.mavlink.peers import Peer, Peers, TcpPeer, UdpPeers
 
 _AGAIN_S: Final = 2.0
 _OWN_COMPUTER: Final = "127.0.0.1"
+_EVERYWHERE: Final = "0.0.0.0"  # noqa: S104 - with a signing key only
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,29 +40,44 @@ async def serve(url: str, key: str | None, choice: Choice, ports: Ports) -> str:
             bridge.hear(peer, message)
 
     peers = Peers(hear, loop.time, ports.signing_key)
-    # Who answers this computer's own station of others is on this computer too: nobody else is listened to.
-    here = (_OWN_COMPUTER, 0) if ports.udp[0] == _OWN_COMPUTER else None
     try:
-        await loop.create_datagram_endpoint(
-            lambda: UdpPeers(peers, ports.udp), local_addr=here, remote_addr=None, family=0 if here else AF_INET
-        )
-        if ports.tcp is not None:
-            await loop.create_server(lambda: TcpPeer(peers), *ports.tcp)
+        async with _opened(peers, ports):
+            print(
+                f"MAVLink to {ports.udp[0]}:{ports.udp[1]}, system {SYSTEM_ID}, aircraft {choice.aircraft}.", flush=True
+            )
+            while True:
+                refusal = await _follow(url, key, choice, peers, bridges)
+                if refusal is not None:
+                    return f"The station does not let this program in: {refusal}"
+                await asyncio.sleep(_AGAIN_S)
     except OSError as error:
         return f"The port cannot be opened: {error}."
-    print(f"MAVLink to {ports.udp[0]}:{ports.udp[1]}, system {SYSTEM_ID}, aircraft {choice.aircraft}.", flush=True)
-    while True:
-        refusal = await _follow(url, key, choice, peers, bridges)
-        if refusal is not None:
-            return f"The station does not let this program in: {refusal}"
-        await asyncio.sleep(_AGAIN_S)
+
+
+@asynccontextmanager
+async def _opened(peers: Peers, ports: Ports) -> AsyncIterator[None]:
+    """The ports, open inside. Raises OSError."""
+    loop = asyncio.get_running_loop()
+    # Who answers a program of this computer is on it too: nobody else is heard.
+    here = _OWN_COMPUTER if ports.udp[0] == _OWN_COMPUTER else _EVERYWHERE
+    datagrams, _ = await loop.create_datagram_endpoint(lambda: UdpPeers(peers, ports.udp), local_addr=(here, 0))
+    try:
+        if ports.tcp is None:
+            yield
+        else:
+            async with await loop.create_server(lambda: TcpPeer(peers), *ports.tcp):
+                yield
+    finally:
+        datagrams.close()
+        # It is closed at the loop's next turn.
+        await asyncio.sleep(0)
 
 
 async def _follow(url: str, key: str | None, choice: Choice, peers: Peers, bridges: list[Bridge]) -> str | None:
     """Until the station is lost; a sentence if it lets nobody in. Meanwhile the peers hear nothing: nothing is live."""
     refusal = None
     try:
-        async with Station(url, key, name="epf-mavlink", rate_hz=RATE_HZ) as station:
+        async with Station(url, key, name="epf-mavlink", rate_hz=RATE_HZ, asks_for_control=True) as station:
             print(f"The station at {url} is there.", flush=True)
             bridges.append(Bridge(station, peers, choice, time.time()))
             await bridges[0].run()
