@@ -1,5 +1,6 @@
 import { ABOUT, createAbout } from "../features/about/aboutRequests";
 import { ACCESS_ADMIN, createAccessAdmin } from "../features/access/accessAdmin";
+import { BACKUPS, createBackups } from "../features/access/backups";
 import { controlMessage } from "../features/access/controlEvents";
 import { CONTROL_PAGES, createControlPages } from "../features/access/controlPages";
 import { createEntry, ENTRY } from "../features/access/entry";
@@ -41,6 +42,7 @@ export function createDoor(core: Core, open: () => void, shutOut: () => void): D
         .with(ENTRY, entry)
         .with(NEW_VERSION, newVersion)
         .with(ACCESS_ADMIN, createAccessAdmin({ ...core, address: world.address.read }))
+        .with(BACKUPS, createBackups(core))
         .with(CONTROL_PAGES, createControlPages(rest, timers))
         .with(FIRST_START, firstStart)
         .with(ABOUT, createAbout(core)),

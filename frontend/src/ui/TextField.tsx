@@ -21,6 +21,8 @@ interface Props {
   /** For addresses, shell lines and other exact text. */
   monospace?: boolean | undefined;
   hideLabel?: boolean | undefined;
+  /** A password: its characters are not shown. */
+  secret?: boolean | undefined;
 }
 
 /** A line of text. Enter and blur finish an edit, Escape cancels it. */
@@ -72,8 +74,8 @@ export function TextField(props: Props) {
               ? "ui-field-input ui-field-line ui-field-exact"
               : "ui-field-input ui-field-line"
           }
-          type="text"
-          autoComplete="off"
+          type={props.secret === true ? "password" : "text"}
+          autoComplete={props.secret === true ? "new-password" : "off"}
           spellCheck={false}
           value={shown}
           placeholder={placeholder}

@@ -10,6 +10,7 @@ import { Panel } from "../../ui/Panel";
 import { Tabs } from "../../ui/Tabs";
 import { AccessLog } from "./AccessLog";
 import "./access.css";
+import { BackupSection } from "./BackupSection";
 import { ENTRY } from "./entry";
 import { HandOver } from "./HandOver";
 import { Invite } from "./Invite";
@@ -80,6 +81,7 @@ function ForOwners() {
     ["invite", t("access.invite"), <Invite key="i" />],
     ["programs", t("access.programs"), <Programs key="g" />],
     ["station", t("access.station"), <StationAddresses key="s" />],
+    ["backup", t("backup.section"), <BackupSection key="b" />],
     ["log", t("access.log"), <AccessLog key="l" />],
   ];
   return (
