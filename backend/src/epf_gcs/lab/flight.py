@@ -91,6 +91,7 @@ def fly(
 ) -> Flight:
     """Fly a route from its start to its end, in lock-step. Raises LabError if it cannot be flown as asked."""
     with LockStep(conditions.options(), library) as loop:
+        loop.select(conditions.law)
         loop.set_gains(gains or {})
         for name, values in route.commands():
             loop.command(name, *values)
