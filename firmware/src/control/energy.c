@@ -116,7 +116,8 @@ static float throttle_of(energy_state_t* state, const energy_gains_t* gains, con
         state->throttle_trim =
             limit_to(state->throttle_trim + gains->k_int_energy_per_m * error_m_s * dt_s, 0.0F, 1.0F);
     }
-    const float wanted = limit_to(state->throttle_trim + gains->k_energy_s_per_m * error_m_s, 0.0F, 1.0F);
+    const float wanted = limit_to(
+        state->throttle_trim + gains->k_feed_s_per_m * wanted_m_s + gains->k_energy_s_per_m * error_m_s, 0.0F, 1.0F);
     state->throttle = approach(state->throttle, wanted, throttle_rate_limit_per_s * dt_s);
     return state->throttle;
 }

@@ -15,8 +15,9 @@ typedef struct
     float k_int_path_per_s;    ///< pitch per path angle error and second
     float k_pitch;             ///< elevator command per rad of pitch error
     float k_accelerate_per_s;  ///< acceleration per speed error
-    float k_energy_s_per_m;    ///< throttle per m/s of energy rate error, as height
-    float k_int_energy_per_m;  ///< the same per second
+    float k_feed_s_per_m;      ///< throttle per m/s of wanted energy rate, as height
+    float k_energy_s_per_m;    ///< the same per error of it
+    float k_int_energy_per_m;  ///< that per second
     float climb_limit_ft_min;  ///< up
     float sink_limit_ft_min;   ///< down, > 0
     float load_limit_g;        ///< how far the load factor may be pulled or pushed from that of the turn

@@ -3,10 +3,15 @@
 #include <math.h>
 
 #include "common/angle.h"
+#include "common/limit.h"
 #include "common/units.h"
 
 static const float straight_deg = 2.0F; ///< less is no turn: the field corrects it
-static const float sharp_deg = 90.0F;   ///< the lead of a sharper turn would grow beyond all measure
+// A turn of up to this ends on the next leg. For sharper ones the lead would grow beyond all measure, and the turn pass
+// the waypoint too far inside; it shrinks to one radius instead, and the aircraft swings beyond the next leg.
+static const float sharp_deg = 115.0F;
+static const float sharp_radii = 1.75F; ///< longest lead up to there
+static const float sharpest_deg = 150.0F;
 
 turn_t turn_between(float from_deg, float to_deg, const wind_t* wind, float airspeed_m_s, float bank_deg,
                     float roll_time_s)
@@ -31,8 +36,11 @@ turn_t turn_between(float from_deg, float to_deg, const wind_t* wind, float airs
     const float to_rad = angle_to_rad(to_deg);
     const float across_m = east_m * cosf(to_rad) - north_m * sinf(to_rad);
     const float lead_m = across_m / sinf(angle_to_rad(from_deg - to_deg));
-    turn.is_sharp = fabsf(angle_deg) > sharp_deg && !(lead_m <= turn.radius_m);
-    turn.lead_m = turn.is_sharp ? turn.radius_m : fmaxf(lead_m, 0.0F);
+    const float sharpness = limit_to((fabsf(angle_deg) - sharp_deg) / (sharpest_deg - sharp_deg), 0.0F, 1.0F);
+    const float longest_m = turn.radius_m * (sharp_radii + sharpness * (1.0F - sharp_radii));
+    turn.is_sharp = sharpness > 0.0F;
+    // beyond half a turn the next leg's line lies behind, and its lead is negative
+    turn.lead_m = lead_m >= 0.0F ? fminf(lead_m, longest_m) : turn.is_sharp ? longest_m : 0.0F;
     turn.lead_m += ground_m_s * roll_time_s;
     return turn;
 }
