@@ -13,9 +13,9 @@ static const float slowest_m_s = 10.0F;
 static const float acceleration_limit_m_s2 = 1.5F;
 static const float acceleration_smoothing_s = 0.5F;
 static const float lack_smoothing_s = 1.5F;
-static const float lack_allowed_kt = 5.0F;     ///< more, with the throttle at its end: the climb has to give
-static const float climb_per_lack_m_s = 0.5F;  ///< for each kt beyond
-static const float climb_change_m_s2 = 4.0F;   ///< how quickly the wanted climb may change
+static const float lack_allowed_kt = 5.0F;    ///< more, with the throttle at its end: the climb has to give
+static const float climb_per_lack_m_s = 0.5F; ///< for each kt beyond
+static const float climb_change_m_s2 = 4.0F;  ///< how quickly the wanted climb may change
 // slow enough that a new target moves no surface by a twentieth of its travel in one step
 static const float pitch_rate_limit_deg_s = 40.0F;
 static const float throttle_rate_limit_per_s = 1.0F;
@@ -88,8 +88,8 @@ static float elevator_of(energy_state_t* state, const energy_gains_t* gains, con
         state->pitch_trim_deg = limit_to(state->pitch_trim_deg + gains->k_int_path_per_s * error_deg * dt_s,
                                          -trim_limit_deg, trim_limit_deg);
     }
-    const float wanted_deg = limit_to(state->pitch_trim_deg + path_d_deg + gains->k_path * error_deg,
-                                      pitch_minimum_deg, pitch_maximum_deg);
+    const float wanted_deg =
+        limit_to(state->pitch_trim_deg + path_d_deg + gains->k_path * error_deg, pitch_minimum_deg, pitch_maximum_deg);
     state->pitch_d_deg = approach(state->pitch_d_deg, wanted_deg, pitch_rate_limit_deg_s * dt_s);
     const float roll_rad = angle_to_rad(limit_to(input->roll_deg, -steepest_roll_deg, steepest_roll_deg));
     const float turn_rad_s = GRAVITY_M_S2 / speed_m_s * tanf(roll_rad) * sinf(roll_rad);
@@ -104,12 +104,10 @@ static float throttle_of(energy_state_t* state, const energy_gains_t* gains, con
                          const energy_input_t* input, float climb_d_m_s, float dt_s)
 {
     const float speed_m_s = input->speed_kt * M_S_PER_KT;
-    const float acceleration_d_m_s2 =
-        limit_to(gains->k_accelerate_per_s * (target->speed_kt * M_S_PER_KT - speed_m_s), -acceleration_limit_m_s2,
-                 acceleration_limit_m_s2);
+    const float acceleration_d_m_s2 = limit_to(gains->k_accelerate_per_s * (target->speed_kt * M_S_PER_KT - speed_m_s),
+                                               -acceleration_limit_m_s2, acceleration_limit_m_s2);
     const float wanted_m_s = climb_d_m_s + speed_m_s * acceleration_d_m_s2 / GRAVITY_M_S2;
-    const float flown_m_s =
-        input->vvi_ft_min * M_S_PER_FT_MIN + speed_m_s * state->acceleration_m_s2 / GRAVITY_M_S2;
+    const float flown_m_s = input->vvi_ft_min * M_S_PER_FT_MIN + speed_m_s * state->acceleration_m_s2 / GRAVITY_M_S2;
     const float error_m_s = wanted_m_s - flown_m_s;
     if (!input->frozen)
     {

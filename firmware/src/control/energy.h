@@ -10,17 +10,17 @@
 
 typedef struct
 {
-    float k_climb_per_s;       ///< climb per altitude error
-    float k_path;              ///< path angle per path angle error
-    float k_int_path_per_s;    ///< pitch per path angle error and second
-    float k_pitch;             ///< elevator command per rad of pitch error
-    float k_accelerate_per_s;  ///< acceleration per speed error
-    float k_feed_s_per_m;      ///< throttle per m/s of wanted energy rate, as height
-    float k_energy_s_per_m;    ///< the same per error of it
-    float k_int_energy_per_m;  ///< that per second
-    float climb_limit_ft_min;  ///< up
-    float sink_limit_ft_min;   ///< down, > 0
-    float load_limit_g;        ///< how far the load factor may be pulled or pushed from that of the turn
+    float k_climb_per_s;      ///< climb per altitude error
+    float k_path;             ///< path angle per path angle error
+    float k_int_path_per_s;   ///< pitch per path angle error and second
+    float k_pitch;            ///< elevator command per rad of pitch error
+    float k_accelerate_per_s; ///< acceleration per speed error
+    float k_feed_s_per_m;     ///< throttle per m/s of wanted energy rate, as height
+    float k_energy_s_per_m;   ///< the same per error of it
+    float k_int_energy_per_m; ///< that per second
+    float climb_limit_ft_min; ///< up
+    float sink_limit_ft_min;  ///< down, > 0
+    float load_limit_g;       ///< how far the load factor may be pulled or pushed from that of the turn
 } energy_gains_t;
 
 typedef struct
@@ -32,8 +32,8 @@ typedef struct
     float throttle;       ///< 0..1
     float speed_m_s;      ///< smoothed, for the acceleration
     float acceleration_m_s2;
-    float lack_kt;    ///< smoothed speed error, + too slow
-    bool is_limited;  ///< the engine gives less than altitude and speed need, or the descent is too steep for it
+    float lack_kt;   ///< smoothed speed error, + too slow
+    bool is_limited; ///< the engine gives less than altitude and speed need, or the descent is too steep for it
 } energy_state_t;
 
 typedef struct

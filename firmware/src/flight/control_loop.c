@@ -194,10 +194,10 @@ surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* g
     const bool changed_hands = has_changed_hands(loop, gains, input);
     // the plan continues while the pilot flies by hand
     choose_target(loop, gains, plan, input, &state, dt_s);
-    const control_command_t command =
-        input->autopilot ? command_of_autopilot(loop, gains, input, &state, &rates, dt_s)
-                         : fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron,
-                                                        input->stick.rudder, input->stick.throttle);
+    const control_command_t command = input->autopilot
+                                          ? command_of_autopilot(loop, gains, input, &state, &rates, dt_s)
+                                          : fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron,
+                                                                         input->stick.rudder, input->stick.throttle);
     const fly_by_wire_gains_t damping = rate_gains(gains, input->autopilot);
     const surfaces_t wanted = fly_by_wire_update(&loop->fly_by_wire, &damping, &command, &rates, dt_s);
     if (changed_hands)

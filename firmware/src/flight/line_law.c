@@ -12,7 +12,7 @@ static const float thinning_per_ft = 1.5e-5F;
 void line_law_init(line_law_t* law)
 {
     *law = (line_law_t){.is_slow = false};
-    line_init(&law->line);
+    legs_init(&law->legs);
 }
 
 static float true_airspeed_m_s(const autopilot_input_t* state)
@@ -38,13 +38,13 @@ void line_law_engage(line_law_t* law, const line_law_input_t* input, float throt
     const energy_input_t state = energy_input(input);
     energy_engage(&law->energy, &state, throttle);
     line_follow_engage(&law->follow, input->state.roll_deg);
-    line_restart(&law->line);
+    legs_restart(&law->legs);
 }
 
 /// Faster than planned where the wind would leave less than a walking pace over the ground.
 static float against_wind_kt(line_law_t* law, float planned_kt, float airspeed_m_s, float indicated_kt)
 {
-    const float ground_m_s = wind_ground_speed_m_s(&law->line.wind, airspeed_m_s, law->target.course_deg);
+    const float ground_m_s = wind_ground_speed_m_s(&law->legs.wind, airspeed_m_s, law->target.course_deg);
     const float lack_kt = (slowest_over_ground_m_s - ground_m_s) / M_S_PER_KT;
     const float needed_kt = indicated_kt + lack_kt;
     law->is_slow = needed_kt > planned_kt;
@@ -55,7 +55,7 @@ void line_law_navigate(line_law_t* law, const line_gains_t* gains, plan_t* plan,
                        autopilot_target_t* hold, float dt_s)
 {
     const float airspeed_m_s = true_airspeed_m_s(&input->state);
-    const line_input_t place = {
+    const legs_input_t place = {
         .position = input->position,
         .track_deg = input->state.track_deg,
         .airspeed_m_s = airspeed_m_s,
@@ -63,8 +63,8 @@ void line_law_navigate(line_law_t* law, const line_gains_t* gains, plan_t* plan,
         .bank_deg = gains->follow.bank_limit_deg,
         .roll_time_s = gains->roll_time_s,
     };
-    line_guidance_t guidance;
-    if (!line_update(&law->line, plan, &place, dt_s, &guidance))
+    legs_guidance_t guidance;
+    if (!legs_update(&law->legs, plan, &place, dt_s, &guidance))
     {
         law->target = (line_follow_target_t){.course_deg = hold->course_deg};
         return;
@@ -87,7 +87,7 @@ control_command_t line_law_command(line_law_t* law, const line_gains_t* gains, c
     const line_follow_input_t over_ground = {
         .track_deg = input->state.track_deg,
         .ground_speed_m_s =
-            wind_ground_speed_m_s(&law->line.wind, true_airspeed_m_s(&input->state), input->state.track_deg),
+            wind_ground_speed_m_s(&law->legs.wind, true_airspeed_m_s(&input->state), input->state.track_deg),
         .roll_deg = input->state.roll_deg,
         .frozen = input->state.frozen,
     };

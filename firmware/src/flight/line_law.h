@@ -8,11 +8,11 @@
 #include "control/energy.h"
 #include "control/line_follow.h"
 #include "flight/line_gains.h"
-#include "navigation/line.h"
+#include "navigation/legs.h"
 
 typedef struct
 {
-    line_t line;
+    legs_t legs;
     line_follow_state_t follow;
     energy_state_t energy;
     line_follow_target_t target; ///< the line that is held

@@ -24,9 +24,9 @@ typedef struct
 {
     waypoint_t waypoints[plan_waypoints_max];
     size_t count;
-    size_t current; ///< index from 0 of the waypoint flown to
-    bool loop;      ///< after the last waypoint the first one follows; else the last one is circled
-    bool holding;   ///< the last waypoint was reached and is being circled
+    size_t current;   ///< index from 0 of the waypoint flown to
+    bool loop;        ///< after the last waypoint the first one follows; else the last one is circled
+    bool holding;     ///< the last waypoint was reached and is being circled
     uint32_t changes; ///< counts new plans and new waypoints to fly to
 } plan_t;
 

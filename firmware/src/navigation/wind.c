@@ -11,8 +11,8 @@ static const float stretch_minimum_s = 0.5F;
 static const float slowest_m_s = 10.0F;
 static const float fastest_ratio = 3.0F;           ///< of ground speed to airspeed; beyond, the aircraft was moved
 static const float initial_variance = 64.0F;       ///< 8 m/s each way
-static const float drift_variance_per_s = 0.01F;   ///< how quickly a wind changes
-static const float measurement_variance = 4.0F;    ///< gusts, mostly
+static const float drift_variance_per_s = 0.03F;   ///< how quickly a wind changes
+static const float measurement_variance = 2.0F;    ///< gusts, mostly
 static const float sharpest_crab = 0.98480775301F; ///< sine of 80 deg
 
 void wind_init(wind_t* wind)
@@ -28,6 +28,8 @@ static void begin_stretch(wind_t* wind, const position_t* position)
     wind->airspeed_sum_m = 0.0F;
 }
 
+/// Correct the wind by one stretch. As long as the wind across the track is unknown, the airspeed says less of the wind
+/// along it: one across makes it longer.
 static void correct(wind_t* wind, float north_m_s, float east_m_s, float airspeed_m_s)
 {
     const float air_north_m_s = north_m_s - wind->north_m_s;
@@ -37,7 +39,12 @@ static void correct(wind_t* wind, float north_m_s, float east_m_s, float airspee
     const float slope_east = -air_east_m_s / predicted_m_s;
     const float cross_north = wind->variance_north * slope_north + wind->covariance * slope_east;
     const float cross_east = wind->covariance * slope_north + wind->variance_east * slope_east;
-    const float variance = slope_north * cross_north + slope_east * cross_east + measurement_variance;
+    const float across_variance = slope_east * slope_east * wind->variance_north +
+                                  slope_north * slope_north * wind->variance_east -
+                                  2.0F * slope_north * slope_east * wind->covariance;
+    const float longer_m_s = 0.5F * across_variance / predicted_m_s;
+    const float variance =
+        slope_north * cross_north + slope_east * cross_east + measurement_variance + 2.0F * longer_m_s * longer_m_s;
     const float innovation_m_s = airspeed_m_s - predicted_m_s;
     wind->north_m_s += cross_north / variance * innovation_m_s;
     wind->east_m_s += cross_east / variance * innovation_m_s;
