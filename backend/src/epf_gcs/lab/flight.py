@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from epf_gcs.lab.conditions import Conditions
-from epf_gcs.lab.figures import Airspeed, Altitude, Capture, Distance, Figures, measure
+from epf_gcs.lab.figures import Airspeed, Altitude, Capture, Distance, Figures, measure, split
+from epf_gcs.lab.laws import BANK_LIMIT, LINE, USUAL_BANK_DEG
 from epf_gcs.lab.lock_step import LockStep, Upset
+from epf_gcs.lab.passages import passages
 from epf_gcs.lab.routes import Route
 from epf_gcs.lab.truth import Truth
 
@@ -97,7 +99,18 @@ def fly(
             loop.command(name, *values)
         loop.command("autopilot_on")
         truth = loop.fly(route.waypoints, route.longest_s())
-        return Flight(route, conditions, dict(gains or {}), truth, measure(truth, route.waypoints), loop.upset)
+        return Flight(
+            route, conditions, dict(gains or {}), truth, _figures(route, conditions, gains, truth), loop.upset
+        )
+
+
+def _figures(route: Route, conditions: Conditions, gains: Mapping[str, float] | None, truth: Truth) -> Figures:
+    figures = measure(truth, route.waypoints)
+    if conditions.law != LINE:
+        return figures
+    bank_deg = (gains or {}).get(BANK_LIMIT, USUAL_BANK_DEG)
+    passed = passages(split(truth, route.waypoints), figures.waypoints_reached, bank_deg)
+    return replace(figures, captures=passed)
 
 
 def _changed(conditions: Conditions) -> list[str]:

@@ -13,10 +13,14 @@ FMS_TASK: Final = 1
 """The board's task that sends plans and waypoints; it runs every `FMS_PERIOD_S`."""
 FMS_PERIOD_S: Final = 0.1
 
-LAWS: Final = ("bearing", "line")
+LINE: Final = "line"
+LAWS: Final = ("bearing", LINE)
 """How a plan is flown, in the order of the board's numbers: towards the next waypoint, as deployed; along the line."""
 LINE_GAIN: Final = "line_"
 """What the names of the line law's gains begin with."""
+BANK_LIMIT: Final = "line_bank_limit"
+USUAL_BANK_DEG: Final = 30.0
+"""Default of `BANK_LIMIT`."""
 
 _OUT_BYTES: Final = 16384
 
