@@ -22,11 +22,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.routes import Route, route
 
-_GAIN: Final = "gains."
 _KEYS: Final = {"route", "flights", "seed", "fixed", "drawn"}
 _MOST_FLIGHTS: Final = 1_000_000
 # What a normal distribution draws beyond so many deviations is drawn again: no campaign means an aircraft of no mass.
@@ -57,11 +56,11 @@ class Draw:
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """One flight of a campaign, by its number."""
+    """One flight of a campaign, by its number: conditions and gains by name, as they were fixed or drawn."""
 
     number: int
-    conditions: Conditions
-    gains: Mapping[str, float]
+    conditions: Mapping[str, object]
+    gains: Mapping[str, object]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,12 +80,12 @@ class Campaign:
         return hashlib.sha256(f"{self.text}\n{self.route.waypoints}".encode()).hexdigest()
 
     def order(self, number: int) -> Order:
-        """Flight `number`, from 0: always the same, whoever flies it and in whatever order. Raises LabError."""
+        """Flight `number`, from 0: always the same, whoever flies it and in whatever order."""
         dice = random.Random(f"{self.seed}/{number}")
         values = {**self.fixed, **{name: draw.value(dice) for name, draw in self.drawn.items()}}
         values.setdefault("seed", dice.randrange(2**31))
-        gains = {name.removeprefix(_GAIN): values.pop(name) for name in list(values) if name.startswith(_GAIN)}
-        return Order(number, Conditions.of(values), gains)
+        gains = {name.removeprefix(GAIN): values.pop(name) for name in list(values) if name.startswith(GAIN)}
+        return Order(number, values, gains)
 
 
 def read(path: Path) -> Campaign:
@@ -118,7 +117,9 @@ def read(path: Path) -> Campaign:
     twice = campaign.fixed.keys() & campaign.drawn.keys()
     if twice:
         raise LabError(f"{', '.join(sorted(twice))} cannot be fixed and drawn")
-    campaign.order(0)
+    first = campaign.order(0)
+    Conditions.of(first.conditions)
+    gains_of(first.gains)
     return campaign
 
 
@@ -128,7 +129,7 @@ def _table(given: Mapping[str, object], name: str) -> dict[str, object]:
         raise LabError(f"`{name}` must be a table, as [{name}]")
     # [fixed.gains] and "gains.k_roll" are the same.
     gains = table.pop("gains", {})
-    return {**table, **{f"{_GAIN}{key}": value for key, value in gains.items()}}
+    return {**table, **{f"{GAIN}{key}": value for key, value in gains.items()}}
 
 
 def _draw(name: str, given: Any) -> Draw:

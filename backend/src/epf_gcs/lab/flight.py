@@ -3,79 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields
 from pathlib import Path
 
-from epf_gcs.lab.conditions import Conditions
-from epf_gcs.lab.figures import Airspeed, Altitude, Capture, Distance, Figures, measure, split
+from epf_gcs.lab.conditions import USUAL, Conditions
+from epf_gcs.lab.figures import Figures, measure
 from epf_gcs.lab.laws import BANK_LIMIT, LINE, USUAL_BANK_DEG
 from epf_gcs.lab.lock_step import LockStep, Upset
-from epf_gcs.lab.passages import passages
+from epf_gcs.lab.passages import in_passing
 from epf_gcs.lab.routes import Route
 from epf_gcs.lab.truth import Truth
 
 
-@dataclass(frozen=True, slots=True)
-class Flight:
-    """What was flown, in which conditions, and what it comes to: figures of the simulator's truth. `upset`: how it
-    ended before its time; None: its end is the route's, or time was up."""
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Flight(Figures):
+    """What was flown, in which conditions, and the figures of it, from the simulator's truth. `upset`: how it ended
+    before its time; None: its end is the route's, or time was up."""
 
     route: Route
     conditions: Conditions
     gains: Mapping[str, float]
     truth: Truth
-    figures: Figures
     upset: Upset | None
 
     @property
     def is_safe(self) -> bool:
         """Whether the aircraft was kept, and was at each waypoint when it counted as captured."""
         return self.upset is None and self.captured_honestly == len(self.route.waypoints)
-
-    @property
-    def waypoints_reached(self) -> int:
-        """How many waypoints the plan left behind."""
-        return self.figures.waypoints_reached
-
-    @property
-    def captures(self) -> tuple[Capture, ...]:
-        """Where the aircraft was then, of each."""
-        return self.figures.captures
-
-    @property
-    def captured_honestly(self) -> int:
-        """Of how many the aircraft was there, in height too."""
-        return self.figures.captured_honestly
-
-    @property
-    def time_s(self) -> float:
-        """How long it took."""
-        return self.figures.time_s
-
-    @property
-    def cross_track(self) -> Distance:
-        """From the line of the leg, turns included."""
-        return self.figures.cross_track
-
-    @property
-    def leg(self) -> Distance:
-        """From the line of the leg, without its first 10 s."""
-        return self.figures.leg
-
-    @property
-    def near(self) -> Distance:
-        """From this leg or the one before, whichever is nearer."""
-        return self.figures.near
-
-    @property
-    def altitude(self) -> Altitude:
-        """How the altitude was kept."""
-        return self.figures.altitude
-
-    @property
-    def airspeed(self) -> Airspeed:
-        """How the airspeed was kept."""
-        return self.figures.airspeed
 
     def __str__(self) -> str:
         """For a failed test: what to fly to see it again, and how it ended."""
@@ -99,21 +53,19 @@ def fly(
             loop.command(name, *values)
         loop.command("autopilot_on")
         truth = loop.fly(route.waypoints, route.longest_s())
+        figures = measure(truth, route.waypoints)
+        if conditions.law == LINE:
+            figures = in_passing(figures, truth, route, (gains or {}).get(BANK_LIMIT, USUAL_BANK_DEG))
         return Flight(
-            route, conditions, dict(gains or {}), truth, _figures(route, conditions, gains, truth), loop.upset
+            **{one.name: getattr(figures, one.name) for one in fields(Figures)},
+            route=route,
+            conditions=conditions,
+            gains=dict(gains or {}),
+            truth=truth,
+            upset=loop.upset,
         )
-
-
-def _figures(route: Route, conditions: Conditions, gains: Mapping[str, float] | None, truth: Truth) -> Figures:
-    figures = measure(truth, route.waypoints)
-    if conditions.law != LINE:
-        return figures
-    bank_deg = (gains or {}).get(BANK_LIMIT, USUAL_BANK_DEG)
-    passed = passages(split(truth, route.waypoints), figures.waypoints_reached, bank_deg)
-    return replace(figures, captures=passed)
 
 
 def _changed(conditions: Conditions) -> list[str]:
     """The seed always, and what else is not as usual."""
-    usual = Conditions()
-    return [n for n in type(usual).__slots__ if n == "seed" or getattr(conditions, n) != getattr(usual, n)]
+    return [name for name, usual in USUAL.items() if name == "seed" or getattr(conditions, name) != usual]

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
-from epf_gcs.lab.figures import REACHED_M, Capture, Leg, metres
+from epf_gcs.lab.figures import REACHED_M, Capture, Figures, Leg, metres, split
+from epf_gcs.lab.routes import Route
 from epf_gcs.lab.truth import Truth
 
 WITHIN_RADII: Final = 1.2
@@ -16,15 +18,15 @@ WITHIN_RADII: Final = 1.2
 _GRAVITY_M_S2: Final = 9.80665
 
 
-def passages(legs: Sequence[Leg], reached: int, bank_deg: float) -> tuple[Capture, ...]:
-    """Where the aircraft was nearest to each of the first `reached` waypoints, on the leg to it or the one from it.
-
-    The flight ends near the last one (`REACHED_M`), which counts as being there.
-    """
-    return tuple(
-        _nearest(number, legs[number : number + 2], bank_deg, is_last=number == len(legs) - 1)
-        for number in range(reached)
+def in_passing(figures: Figures, truth: Truth, route: Route, bank_deg: float) -> Figures:
+    """The same figures with each capture where the aircraft was nearest to the waypoint, on the leg to it or the one
+    from it. `bank_deg`: of the turns. The flight ends near the last one (`REACHED_M`), which counts as being there."""
+    legs = split(truth, route.waypoints)
+    captures = (
+        _nearest(number, legs[number : number + 2], bank_deg, is_last=number == len(route.waypoints) - 1)
+        for number in range(figures.waypoints_reached)
     )
+    return replace(figures, captures=tuple(captures))
 
 
 def _nearest(number: int, legs: Sequence[Leg], bank_deg: float, *, is_last: bool) -> Capture:
