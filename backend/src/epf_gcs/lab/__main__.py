@@ -12,13 +12,15 @@ import typer
 
 from epf_gcs import __version__
 from epf_gcs.lab import campaign as campaigns
+from epf_gcs.lab import table as tables
+from epf_gcs.lab.campaign import Campaign
 from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
 from epf_gcs.lab.routes import route
-from epf_gcs.lab.rows import Results
+from epf_gcs.lab.rows import Results, Row
 from epf_gcs.system.private_files import write_private_files
 
 app = typer.Typer(
@@ -79,8 +81,20 @@ def campaign(
     ] = os.cpu_count() or 1,
     laws: Laws = None,
 ) -> None:
-    """Fly a route many times, in conditions that are drawn."""
-    wanted = campaigns.read(file)
+    """Fly a route many times, in conditions that are drawn; or a table of such campaigns, by each law."""
+    rows = tables.read(file)
+    if rows is None:
+        _fly_campaign(campaigns.read(file), into, workers, laws)
+        report(into)
+        return
+    cells = []
+    for row in rows:
+        print(f"{row.name}, {row.law}:")
+        cells.append(row.cells(_fly_campaign(row.campaign, row.folder(into), workers, laws)))
+    print("\n".join(tables.lines(cells)))
+
+
+def _fly_campaign(wanted: Campaign, into: Path, workers: int, laws: Path | None) -> list[Row]:
     with Results(into, wanted) as results:
         begun = len(results.rows)
         if begun:
@@ -88,7 +102,7 @@ def campaign(
         with typer.progressbar(length=wanted.flights - begun, label="Flying", show_pos=True, show_eta=True) as bar:
             fly_all(wanted, results, workers, laws, lambda _: bar.update(1))
         results.finish()
-    report(into)
+        return [results.rows[number] for number in sorted(results.rows)]
 
 
 @app.command()
