@@ -13,11 +13,15 @@ static float rate_scale(float init, float speed_scale_kt, float speed_kt)
     return init + ratio * ratio;
 }
 
+float fly_by_wire_pitch_rate_rad_s(const fly_by_wire_gains_t* gains, float speed_kt)
+{
+    return rate_scale(gains->k_div_q_init, gains->k_div_q_speed_kt, speed_kt);
+}
+
 static float elevator_error(const fly_by_wire_gains_t* gains, const control_command_t* command,
                             const fly_by_wire_input_t* input)
 {
-    const float div_q = rate_scale(gains->k_div_q_init, gains->k_div_q_speed_kt, input->speed_kt);
-    return command->elevator - input->q_rad_s / div_q;
+    return command->elevator - input->q_rad_s / fly_by_wire_pitch_rate_rad_s(gains, input->speed_kt);
 }
 
 control_command_t fly_by_wire_command_of_stick(float elevator, float aileron, float rudder, float throttle)

@@ -50,6 +50,9 @@ typedef struct
 /// A stick (-1..+1, throttle 0..1) as command: elevator twofold, aileron threefold, the rest straight through.
 control_command_t fly_by_wire_command_of_stick(float elevator, float aileron, float rudder, float throttle);
 
+/// Pitch rate that a full elevator command asks for at this indicated airspeed.
+float fly_by_wire_pitch_rate_rad_s(const fly_by_wire_gains_t* gains, float speed_kt);
+
 /// One step of `dt_s` (>= 0).
 surfaces_t fly_by_wire_update(fly_by_wire_state_t* state, const fly_by_wire_gains_t* gains,
                               const control_command_t* command, const fly_by_wire_input_t* input, float dt_s);

@@ -17,6 +17,7 @@ void control_loop_init(control_loop_t* loop)
     *loop = (control_loop_t){.has_run = false};
     transition_init(&loop->transition);
     track_init(&loop->track);
+    line_law_init(&loop->line);
 }
 
 static bool is_finite_input(const control_loop_input_t* input)
@@ -68,72 +69,86 @@ static float find_track_deg(control_loop_t* loop, const control_loop_input_t* in
     return track_update(&loop->track, &input->position, input->direction_deg, input->speed_kt);
 }
 
-/// The autopilot's target: from the plan, or without one the altitude, course and speed when it was switched on.
-static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
-                                        float track_deg)
+/// The autopilot's target: from the plan, or without one the altitude, course and speed when it was switched on. It is
+/// kept, to be held if the position is lost.
+static void choose_target(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
+                          const control_loop_input_t* input, const line_law_input_t* state, float dt_s)
 {
     plan_guidance_t guidance;
-    if (plan_update(plan, &input->position, input->speed_kt, &guidance))
+    if (plan->count > 0 && position_is_valid(&input->position))
     {
-        // kept, to be held if the position is lost
-        loop->hold = (autopilot_target_t){
-            .altitude_ft = guidance.altitude_ft,
-            .course_deg = guidance.course_deg,
-            .speed_kt = guidance.speed_kt,
-        };
+        if (gains->law == guidance_law_bearing && plan_update(plan, &input->position, input->speed_kt, &guidance))
+        {
+            loop->hold = (autopilot_target_t){
+                .altitude_ft = guidance.altitude_ft,
+                .course_deg = guidance.course_deg,
+                .speed_kt = guidance.speed_kt,
+            };
+        }
     }
     else if (!loop->autopilot_was_on)
     {
         loop->hold = (autopilot_target_t){
             .altitude_ft = input->altitude_ft,
-            .course_deg = track_deg,
+            .course_deg = state->state.track_deg,
             .speed_kt = input->speed_kt,
         };
     }
-    return loop->hold;
+    if (gains->law == guidance_law_line)
+    {
+        line_law_navigate(&loop->line, &gains->line, plan, state, &loop->hold, dt_s);
+    }
 }
 
-/// Whether the source of the commands differs from that of the last step: stick, autopilot or autotrim.
-static bool has_changed_hands(const control_loop_t* loop, const control_loop_input_t* input)
+/// Whether the source of the commands differs from that of the last step: stick, autopilot, its law, or autotrim.
+static bool has_changed_hands(const control_loop_t* loop, const control_loop_gains_t* gains,
+                              const control_loop_input_t* input)
 {
     return loop->has_run && (loop->autopilot_was_on != input->autopilot || loop->autotrim_was_on != input->autotrim ||
-                             loop->source != input->source);
+                             loop->source != input->source || loop->law != gains->law);
 }
 
-static control_command_t command_of_autopilot(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
-                                              const control_loop_input_t* input, const fly_by_wire_input_t* rates,
-                                              float track_deg, float dt_s)
+/// Fly-by-wire of this moment: the line law brings a yaw damper of its own.
+static fly_by_wire_gains_t rate_gains(const control_loop_gains_t* gains, bool autopilot)
 {
-    const autopilot_input_t state = {
-        .altitude_ft = input->altitude_ft,
-        .vvi_ft_min = input->vvi_ft_min,
-        .track_deg = track_deg,
-        .pitch_deg = input->pitch_deg,
-        .roll_deg = input->roll_deg,
-        .speed_kt = input->speed_kt,
-        .frozen = rates->frozen,
-    };
-    const autopilot_target_t target = choose_target(loop, plan, input, track_deg);
-    const bool engages = !loop->autopilot_was_on;
+    fly_by_wire_gains_t rates = gains->fly_by_wire;
+    if (autopilot && gains->law == guidance_law_line)
+    {
+        rates.k_rudder = gains->line.k_rudder;
+    }
+    return rates;
+}
+
+static control_command_t command_of_law(control_loop_t* loop, const control_loop_gains_t* gains,
+                                        const line_law_input_t* state, bool engages, float throttle, float dt_s)
+{
+    if (gains->law == guidance_law_line)
+    {
+        if (engages)
+        {
+            line_law_engage(&loop->line, state, throttle);
+        }
+        return line_law_command(&loop->line, &gains->line, &loop->hold, state, dt_s);
+    }
     if (engages)
     {
-        autopilot_engage(&loop->autopilot, &state, loop->has_run ? loop->surfaces.throttle : input->stick.throttle);
+        autopilot_engage(&loop->autopilot, &state->state, throttle);
     }
-    const control_command_t command = autopilot_update(&loop->autopilot, &gains->autopilot, &target, &state, dt_s);
+    return autopilot_update(&loop->autopilot, &gains->autopilot, &loop->hold, &state->state, dt_s);
+}
+
+static control_command_t command_of_autopilot(control_loop_t* loop, const control_loop_gains_t* gains,
+                                              const control_loop_input_t* input, const line_law_input_t* state,
+                                              const fly_by_wire_input_t* rates, float dt_s)
+{
+    const bool engages = !loop->autopilot_was_on || loop->law != gains->law;
+    const float throttle = loop->has_run ? loop->surfaces.throttle : input->stick.throttle;
+    const control_command_t command = command_of_law(loop, gains, state, engages, throttle, dt_s);
     if (engages && loop->has_run)
     {
         fly_by_wire_hold_elevator(&loop->fly_by_wire, &gains->fly_by_wire, &command, rates, loop->surfaces.elevator);
     }
     return command;
-}
-
-static control_command_t command_of_pilot(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
-                                          float track_deg)
-{
-    // the plan continues while the pilot flies by hand
-    (void)choose_target(loop, plan, input, track_deg);
-    return fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron, input->stick.rudder,
-                                        input->stick.throttle);
 }
 
 void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces)
@@ -162,17 +177,36 @@ surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* g
         .autotrim = input->autotrim || input->autopilot,
         .frozen = is_frozen(loop, input, dt_s),
     };
-    const bool changed_hands = has_changed_hands(loop, input);
+    const line_law_input_t state = {
+        .position = input->position,
+        .state =
+            {
+                .altitude_ft = input->altitude_ft,
+                .vvi_ft_min = input->vvi_ft_min,
+                .track_deg = track_deg,
+                .pitch_deg = input->pitch_deg,
+                .roll_deg = input->roll_deg,
+                .speed_kt = input->speed_kt,
+                .frozen = rates.frozen,
+            },
+        .rate_per_command_rad_s = fly_by_wire_pitch_rate_rad_s(&gains->fly_by_wire, input->speed_kt),
+    };
+    const bool changed_hands = has_changed_hands(loop, gains, input);
+    // the plan continues while the pilot flies by hand
+    choose_target(loop, gains, plan, input, &state, dt_s);
     const control_command_t command = input->autopilot
-                                          ? command_of_autopilot(loop, gains, plan, input, &rates, track_deg, dt_s)
-                                          : command_of_pilot(loop, plan, input, track_deg);
-    const surfaces_t wanted = fly_by_wire_update(&loop->fly_by_wire, &gains->fly_by_wire, &command, &rates, dt_s);
+                                          ? command_of_autopilot(loop, gains, input, &state, &rates, dt_s)
+                                          : fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron,
+                                                                         input->stick.rudder, input->stick.throttle);
+    const fly_by_wire_gains_t damping = rate_gains(gains, input->autopilot);
+    const surfaces_t wanted = fly_by_wire_update(&loop->fly_by_wire, &damping, &command, &rates, dt_s);
     if (changed_hands)
     {
         transition_begin(&loop->transition, &loop->surfaces, &wanted);
     }
     loop->surfaces = transition_update(&loop->transition, &wanted, dt_s);
     loop->autopilot_was_on = input->autopilot;
+    loop->law = gains->law;
     loop->autotrim_was_on = input->autotrim;
     loop->source = input->source;
     loop->has_run = true;

@@ -9,6 +9,7 @@
 #include "control/autopilot.h"
 #include "control/fly_by_wire.h"
 #include "control/transition.h"
+#include "flight/line_law.h"
 #include "navigation/plan.h"
 #include "navigation/track.h"
 
@@ -19,10 +20,19 @@ typedef enum
     control_source_joystick = 1
 } control_source_t;
 
+/// How the autopilot flies a plan.
+typedef enum
+{
+    guidance_law_bearing = 0, ///< towards the next waypoint, as deployed boards do
+    guidance_law_line = 1     ///< along the line to it
+} guidance_law_t;
+
 typedef struct
 {
     fly_by_wire_gains_t fly_by_wire;
     autopilot_gains_t autopilot;
+    line_gains_t line;
+    guidance_law_t law;
 } control_loop_gains_t;
 
 /// State of the aircraft, and what its pilot commands. Signs as in `fly_by_wire.h` and `autopilot.h`.
@@ -48,13 +58,15 @@ typedef struct
 {
     fly_by_wire_state_t fly_by_wire;
     autopilot_state_t autopilot;
+    line_law_t line;
     transition_t transition;
     track_t track;
     autopilot_target_t hold;  ///< the autopilot's target; without a plan, the state when it was switched on
     float ground_altitude_ft; ///< where the aircraft last was below flying speed
     float ground_run_s;       ///< time on the ground at flying speed
     bool ground_is_known;
-    int32_t source; ///< these three: of the last step
+    int32_t source; ///< these four: of the last step
+    guidance_law_t law;
     bool autopilot_was_on;
     bool autotrim_was_on;
     bool has_run;

@@ -27,5 +27,7 @@ control_loop_gains_t gains_of(const parameters_t* parameters)
                 .k_roll = values[PARAMETER_K_ROLL],
                 .k_div_speed_kt_s = values[PARAMETER_K_DIV_VELOCIDAD],
             },
+        .line = line_gains_default(),
+        .law = guidance_law_bearing,
     };
 }

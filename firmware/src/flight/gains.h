@@ -1,4 +1,5 @@
-/// Converts the parameters, named as on the wire, into the gains of the two laws. No other file knows both names.
+/// Converts the parameters, named as on the wire, into the gains of the deployed laws, beside the line law's defaults.
+/// No other file knows both names.
 #ifndef FLIGHT_GAINS_H
 #define FLIGHT_GAINS_H
 

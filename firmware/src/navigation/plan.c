@@ -50,6 +50,7 @@ bool plan_replace(plan_t* plan, const waypoint_t* waypoints, size_t count, bool 
     plan->current = 0;
     plan->loop = loop;
     plan->holding = false;
+    plan->changes++;
     return true;
 }
 
@@ -57,6 +58,12 @@ static void fly_to(plan_t* plan, size_t index)
 {
     plan->current = index;
     plan->holding = false;
+    plan->changes++;
+}
+
+void plan_hold(plan_t* plan)
+{
+    plan->holding = true;
 }
 
 bool plan_next(plan_t* plan)
@@ -151,7 +158,7 @@ bool plan_update(plan_t* plan, const position_t* position, float speed_kt, plan_
     }
     if (!plan_next(plan))
     {
-        plan->holding = true;
+        plan_hold(plan);
     }
     return plan_guidance(plan, position, speed_kt, guidance);
 }

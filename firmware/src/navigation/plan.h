@@ -24,9 +24,10 @@ typedef struct
 {
     waypoint_t waypoints[plan_waypoints_max];
     size_t count;
-    size_t current; ///< index from 0 of the waypoint flown to
-    bool loop;      ///< after the last waypoint the first one follows; else the last one is circled
-    bool holding;   ///< the last waypoint was reached and is being circled
+    size_t current;   ///< index from 0 of the waypoint flown to
+    bool loop;        ///< after the last waypoint the first one follows; else the last one is circled
+    bool holding;     ///< the last waypoint was reached and is being circled
+    uint32_t changes; ///< counts new plans and new waypoints to fly to
 } plan_t;
 
 /// What the plan asks for at a position.
@@ -50,6 +51,9 @@ bool waypoint_is_valid(const waypoint_t* waypoint);
 /// Replace the plan and begin at its first waypoint. False, and nothing changed, when `count` is not 1..100 or a
 /// waypoint is not valid.
 bool plan_replace(plan_t* plan, const waypoint_t* waypoints, size_t count, bool loop);
+
+/// Circle the last waypoint from now on.
+void plan_hold(plan_t* plan);
 
 /// Fly to another waypoint; false, and nothing changed, when there is none. In a loop the first one follows the last.
 bool plan_next(plan_t* plan);

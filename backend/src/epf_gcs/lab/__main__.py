@@ -12,6 +12,8 @@ import typer
 
 from epf_gcs import __version__
 from epf_gcs.lab import campaign as campaigns
+from epf_gcs.lab import table as tables
+from epf_gcs.lab.campaign import Campaign
 from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.flight import Flight
@@ -19,7 +21,7 @@ from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
 from epf_gcs.lab.keeping import keep, keep_worst, kept_worst
 from epf_gcs.lab.routes import route
-from epf_gcs.lab.rows import WORST, Results
+from epf_gcs.lab.rows import WORST, Results, Row
 from epf_gcs.system.private_files import write_private_files
 
 app = typer.Typer(
@@ -89,8 +91,22 @@ def campaign(
         int, typer.Option("--record", min=0, max=WORST, help="So many of the worst flights are recorded.")
     ] = WORST,
 ) -> None:
-    """Fly a route many times, in conditions that are drawn."""
-    wanted = campaigns.read(file)
+    """Fly a route many times, in conditions that are drawn; or a table of such campaigns, by each law."""
+    rows = tables.read(file)
+    if rows is None:
+        wanted = campaigns.read(file)
+        _fly_campaign(wanted, into, workers, laws)
+        keep_worst(wanted, into, record, laws)
+        report(into)
+        return
+    cells = []
+    for row in rows:
+        print(f"{row.name}, {row.law}:")
+        cells.append(row.cells(_fly_campaign(row.campaign, row.folder(into), workers, laws)))
+    print("\n".join(tables.lines(cells)))
+
+
+def _fly_campaign(wanted: Campaign, into: Path, workers: int, laws: Path | None) -> list[Row]:
     with Results(into, wanted) as results:
         begun = len(results.rows)
         if begun:
@@ -98,8 +114,7 @@ def campaign(
         with typer.progressbar(length=wanted.flights - begun, label="Flying", show_pos=True, show_eta=True) as bar:
             fly_all(wanted, results, workers, laws, lambda _: bar.update(1))
         results.finish()
-    keep_worst(wanted, into, record, laws)
-    report(into)
+        return [results.rows[number] for number in sorted(results.rows)]
 
 
 @app.command()

@@ -97,6 +97,11 @@ def read(path: Path) -> Campaign:
         raise LabError(f"{path} cannot be read: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise LabError(f"{path} is no campaign: {error}") from error
+    return of(given, text, path)
+
+
+def of(given: Mapping[str, Any], text: str, path: Path) -> Campaign:
+    """The campaign that a file's values say. `text`: what is kept beside its results. Raises LabError as `read`."""
     unknown = given.keys() - _KEYS
     if unknown:
         raise LabError(f"{path} has {', '.join(sorted(unknown))}, which a campaign has not: {', '.join(sorted(_KEYS))}")

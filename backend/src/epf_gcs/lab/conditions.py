@@ -9,6 +9,7 @@ from typing import Any, Final
 import msgspec
 
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.laws import LAWS
 from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.models import AIRCRAFT
 from epf_gcs.simulator.simulation import SimulationOptions
@@ -27,7 +28,7 @@ class Conditions:
     `wind_from_deg`: true direction it blows from. `turbulence`: none, light, moderate or severe, of MIL-F-8785C as
     JSBSim makes it. `round_trip_ms`: fixed delay from the simulator over the board and back, half of it each way;
     `jitter_ms`: up to so much more each way; `loss_percent` of the datagrams each way. `mass_factor`, `cg_aft_m`,
-    `control_power`: see `simulator.situation.Loading`.
+    `control_power`: see `simulator.situation.Loading`. `law`: how the board flies its plan, one of `laws.LAWS`.
     """
 
     wind_kt: float = 0.0
@@ -41,6 +42,7 @@ class Conditions:
     loss_percent: float = 0.0
     start: str = "air"
     aircraft: str = "rc"
+    law: str = LAWS[0]
     rate_hz: int = 50
     seed: int = 1
 
@@ -107,6 +109,7 @@ _CHOICES: Final = {
     "turbulence": tuple(Turbulence),
     "start": tuple(Start),
     "aircraft": tuple(AIRCRAFT),
+    "law": LAWS,
 }
 
 

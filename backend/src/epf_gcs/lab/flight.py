@@ -10,7 +10,9 @@ from typing import Final, NamedTuple
 from epf_gcs.lab.conditions import USUAL, Conditions
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.figures import Figures, measure
+from epf_gcs.lab.laws import BANK_LIMIT, LINE, USUAL_BANK_DEG
 from epf_gcs.lab.lock_step import LockStep, Upset
+from epf_gcs.lab.passages import in_passing
 from epf_gcs.lab.routes import Route
 from epf_gcs.lab.truth import Truth
 
@@ -87,6 +89,8 @@ def fly(
     with LockStep(conditions.options(), library) as loop:
         truth = fly_in(loop, route, conditions, gains or {})
         figures = measure(truth, route.waypoints)
+        if conditions.law == LINE:
+            figures = in_passing(figures, truth, route, (gains or {}).get(BANK_LIMIT, USUAL_BANK_DEG))
         return Flight(
             **{one.name: getattr(figures, one.name) for one in fields(Figures)},
             route=route,
@@ -100,6 +104,7 @@ def fly(
 
 def fly_in(loop: LockStep, route: Route, conditions: Conditions, gains: Mapping[str, float]) -> Truth:
     """Fly a route in a loop that was made for these conditions. Raises LabError if it cannot be flown as asked."""
+    loop.select(conditions.law)
     loop.set_gains(gains)
     for name, values in route.commands():
         loop.command(name, *values)

@@ -13,6 +13,15 @@ FMS_TASK: Final = 1
 """The board's task that sends plans and waypoints; it runs every `FMS_PERIOD_S`."""
 FMS_PERIOD_S: Final = 0.1
 
+LINE: Final = "line"
+LAWS: Final = ("bearing", LINE)
+"""How a plan is flown, in the order of the board's numbers: towards the next waypoint, as deployed; along the line."""
+LINE_GAIN: Final = "line_"
+"""What the names of the line law's gains begin with."""
+BANK_LIMIT: Final = "line_bank_limit"
+USUAL_BANK_DEG: Final = 30.0
+"""Default of `BANK_LIMIT`."""
+
 _OUT_BYTES: Final = 16384
 
 
@@ -39,6 +48,18 @@ class Laws:
         if self._library.epf_flight_lost_bytes(self._board):
             raise LabError("the board sent more than its line takes")
         return self._out.raw[:size] if size else b""
+
+    def select(self, law: str) -> None:
+        """Fly plans by one of `LAWS`. Raises LabError if the board has only the deployed one."""
+        if law == LAWS[0] and not hasattr(self._library, "epf_flight_select_law"):
+            return
+        if not self._library.epf_flight_select_law(self._board, LAWS.index(law)):
+            raise LabError(f"the board has no law {law}")
+
+    def set_line_gain(self, name: str, value: float) -> None:
+        """Set a gain of the line law. Raises LabError for one that it has not, or refuses."""
+        if not self._library.epf_flight_set_line_gain(self._board, name.encode(), value):
+            raise LabError(f"the board takes no gain {name} of {value}")
 
     def advance(self, elapsed_ms: int) -> None:
         """Let time pass; needed between two commands 50 only if the board measures the time of its steps."""
@@ -74,6 +95,11 @@ def _load(path: Path | None) -> ctypes.CDLL:
         ctypes.c_char_p,
         ctypes.c_size_t,
     )
+    if hasattr(loaded, "epf_flight_select_law"):
+        loaded.epf_flight_select_law.restype = ctypes.c_bool
+        loaded.epf_flight_select_law.argtypes = (ctypes.c_void_p, ctypes.c_int32)
+        loaded.epf_flight_set_line_gain.restype = ctypes.c_bool
+        loaded.epf_flight_set_line_gain.argtypes = (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_float)
     loaded.epf_flight_advance.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
     loaded.epf_flight_send_streams.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
     loaded.epf_flight_lost_bytes.restype = ctypes.c_size_t

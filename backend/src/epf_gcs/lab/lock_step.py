@@ -22,7 +22,7 @@ from epf_gcs.lab.answers import Answers
 from epf_gcs.lab.closed_loop import FIRST_COMMANDS
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.figures import RouteEnd
-from epf_gcs.lab.laws import FMS_PERIOD_S, FMS_TASK, Laws
+from epf_gcs.lab.laws import FMS_PERIOD_S, FMS_TASK, LINE_GAIN, Laws
 from epf_gcs.lab.truth import Truth
 from epf_gcs.simulator.airframe import STEP_HZ, Airframe, AirframeError, ground_course
 from epf_gcs.simulator.crash import LOAD_LIMIT_G, crash_cause
@@ -108,9 +108,16 @@ class LockStep:
         """Give the board a command."""
         self._tell(encode_command(name, *values))
 
+    def select(self, law: str) -> None:
+        """Let the board fly its plan by one of its laws. Raises LabError if it has not this one."""
+        self._laws.select(law)
+
     def set_gains(self, gains: Mapping[str, float]) -> None:
         """Set gains by their name on the board, as `k_roll`. Raises LabError for one that it has not, or refuses."""
         for name, value in gains.items():
+            if name.startswith(LINE_GAIN):
+                self._laws.set_line_gain(name, value)
+                continue
             if f"set_{name}" not in COMMANDS:
                 raise LabError(f"the board has no gain {name}")
             is_whole = COMMANDS[f"set_{name}"].values[0].kind == "integer"
