@@ -14,6 +14,7 @@ from epf_gcs import __version__
 from epf_gcs.lab import campaign as campaigns
 from epf_gcs.lab.conditions import NAMES, Conditions
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import read as read_faults
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
@@ -55,16 +56,16 @@ def about(
 def fly(
     what: Annotated[str, typer.Argument(metavar="ROUTE", help="gando, vuelo, alternativa, ruta_isla, or a plan file.")],
     given: Annotated[
-        list[str] | None, typer.Argument(metavar="[NAME=VALUE]...", help="Conditions and gains, as seed=7.")
+        list[str] | None, typer.Argument(metavar="[NAME=VALUE]...", help="Conditions, gains and faults, as seed=7.")
     ] = None,
     laws: Laws = None,
 ) -> None:
     """Fly a route once.
 
-    As in: epf-lab fly gando wind_kt=15 wind_from_deg=250 gains.k_roll=3
+    As in: epf-lab fly gando wind_kt=15 wind_from_deg=250 gains.k_roll=3 fault=gyro.drift@60+30=0.002
     """
-    values, gains = _read(given or [])
-    flight = fly_one(route(what), Conditions.of(values), gains, laws)
+    values, gains, faults = _read(given or [])
+    flight = fly_one(route(what), Conditions.of(values), gains, laws, read_faults(faults))
     print("\n".join(_lines(flight)))
     if not flight.is_safe:
         raise typer.Exit(1)
@@ -126,9 +127,10 @@ def compare(before: Folder, after: Folder) -> None:
     print(f"  distance from the way, rms: {found.change:+.1f} m ({low:+.1f} to {high:+.1f} with 95 % certainty)")
 
 
-def _read(given: Sequence[str]) -> tuple[dict[str, object], dict[str, float]]:
+def _read(given: Sequence[str]) -> tuple[dict[str, object], dict[str, float], list[str]]:
     values: dict[str, object] = {}
     gains: dict[str, float] = {}
+    faults: list[str] = []
     usual = Conditions()
     for one in given:
         name, sign, text = one.partition("=")
@@ -137,13 +139,15 @@ def _read(given: Sequence[str]) -> tuple[dict[str, object], dict[str, float]]:
                 raise LabError(f"{one!r} is not NAME=VALUE, as wind_kt=15")
             if name.startswith("gains."):
                 gains[name.removeprefix("gains.")] = float(text)
+            elif name == "fault":
+                faults.append(text)
             elif name not in NAMES:
-                raise LabError(f"there is no condition {name}: choose of {', '.join(NAMES)}, gains.NAME")
+                raise LabError(f"there is no condition {name}: choose of {', '.join(NAMES)}, gains.NAME, fault")
             else:
                 values[name] = type(getattr(usual, name))(text)
         except ValueError as error:
             raise LabError(f"{one!r} is no number") from error
-    return values, gains
+    return values, gains, faults
 
 
 def _lines(flight: Flight) -> list[str]:
@@ -159,6 +163,7 @@ def _lines(flight: Flight) -> list[str]:
         f"  off the way         {figures.near.rms_m:6.1f} m rms, turns included",
         f"  altitude            {altitude.rms_ft:6.1f} ft rms, {altitude.largest_ft:.1f} ft largest",
         f"  indicated airspeed  {figures.airspeed.settled.rms_kt:6.1f} kt rms",
+        *(f"  {shown}" for shown in flight.evidence),
     ]
 
 

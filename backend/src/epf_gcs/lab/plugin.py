@@ -9,7 +9,8 @@ def test_gando_in_a_crosswind(lab):
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ import pytest
 
 if TYPE_CHECKING:
     from epf_gcs.codec.tables import Waypoint
+    from epf_gcs.lab.faults import Asked
     from epf_gcs.lab.flight import Flight
 
 # What flies is imported where it is used: pytest loads a plug-in in every run on a computer that has it.
@@ -36,16 +38,19 @@ class Lab:
         route: str | Path | Sequence[Waypoint],
         *,
         gains: Mapping[str, float] | None = None,
+        faults: Iterable[Asked] = (),
+        longest_s: float = math.inf,
         **conditions: Any,
     ) -> Flight:
         """Fly a route by name (`gando`), from a plan file, or of waypoints. `gains`: by the board's names, as `k_roll`.
+        `faults`: as `gyro.drift@60+30=0.002` (see `epf_gcs.lab.faults`). `longest_s`: it ends then at the latest.
 
         The conditions are those of `epf_gcs.lab.conditions.Conditions`, as `wind_kt=15, seed=7`. Raises LabError for a
-        route, a gain or a condition that there is none of.
+        route, a gain, a condition or a fault that there is none of, and for a fault that was not there.
         """
         from epf_gcs.lab.flying import fly_wanted  # noqa: PLC0415 - see above
 
-        flown = fly_wanted(route, {**self._usual, **conditions}, gains, self._library)
+        flown = fly_wanted(route, {**self._usual, **conditions}, gains, self._library, faults, longest_s)
         self.flights.append(flown)
         return flown
 

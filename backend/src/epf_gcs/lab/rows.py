@@ -32,6 +32,7 @@ def row(order: Order, flight: Flight | None, error: str | None = None) -> Row:
         "number": order.number,
         **asdict(order.conditions),
         **{f"gains.{name}": value for name, value in order.gains.items()},
+        "faults": " ".join(map(str, order.faults)),
         "is_safe": flight is not None and flight.is_safe,
         "waypoints": None if flight is None else len(flight.route.waypoints),
         "waypoints_reached": None if figures is None else figures.waypoints_reached,
