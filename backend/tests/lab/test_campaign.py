@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import resource
+from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from pathlib import Path
 
+import orjson
 import pyarrow.parquet as pq
 import pytest
 
 from epf_gcs.lab import flying
 from epf_gcs.lab.campaign import Campaign, read
+from epf_gcs.lab.conditions import Conditions, gains_of
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.rows import PARQUET, Results, Row, row
 
@@ -37,16 +42,42 @@ def unflown(wanted: Campaign, number: int, *_: object) -> Row:
     return row(wanted.order(number), None, "not flown in this test")
 
 
+def campaign_or_none(folder: Path, text: str) -> Campaign | None:
+    try:
+        return campaign(folder, text)
+    except LabError:
+        return None
+
+
+@contextmanager
+def largest_file(size: int) -> Iterator[None]:
+    """A disk that takes files of this size, and no larger ones."""
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, usual[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+
+
+def kept(results: Results, rows: list[Row]) -> bytes:
+    """The table with these rows too."""
+    for one in rows:
+        results.add(one)
+    return results.finish().read_bytes()
+
+
 def test_a_number_always_gives_the_same_flight_and_others_give_others(tmp_path: Path) -> None:
     wanted = campaign(tmp_path)
     orders = [wanted.order(number) for number in range(200)]
     assert orders == [campaign(tmp_path).order(number) for number in range(200)]
-    assert len({order.conditions.seed for order in orders}) == 200
-    assert all(0.0 <= order.conditions.wind_kt <= 25.0 for order in orders)
-    assert all(0.85 <= order.conditions.mass_factor <= 1.15 for order in orders)
-    assert {order.conditions.start for order in orders} == {"air", "final"}
-    assert {order.conditions.turbulence for order in orders} == {"light"}
-    assert all(1.5 <= order.gains["k_roll"] <= 3.0 for order in orders)
+    conditions = [Conditions.of(order.conditions) for order in orders]
+    assert len({one.seed for one in conditions}) == 200
+    assert all(0.0 <= one.wind_kt <= 25.0 for one in conditions)
+    assert all(0.85 <= one.mass_factor <= 1.15 for one in conditions)
+    assert {one.start for one in conditions} == {"air", "final"}
+    assert {one.turbulence for one in conditions} == {"light"}
+    assert all(1.5 <= gains_of(order.gains)["k_roll"] <= 3.0 for order in orders)
 
 
 @pytest.mark.parametrize(
@@ -58,8 +89,9 @@ def test_a_number_always_gives_the_same_flight_and_others_give_others(tmp_path: 
         ("flights = 2\n[fixed]\nwing_kt = 3", "no condition wing_kt"),
         ("flights = 2\n[fixed]\nwind_kt = -3", "wind_kt is -3.0, and must be 0 to 100"),
         ('flights = 2\n[fixed]\nturbulence = "wild"', "none, light, moderate, severe"),
-        ('flights = 2\n[fixed]\nwind_kt = "much"', "Expected `float`, got `str` - at `\\$.wind_kt`"),
-        ("flights = 2\n[drawn]\nrate_hz = { uniform = [20, 90] }", "Expected `int`, got `float`"),
+        ('flights = 2\n[fixed]\nwind_kt = "much"', "wind_kt cannot be 'much': it must be a number"),
+        ("flights = 2\n[drawn]\nrate_hz = { uniform = [20, 90] }", "rate_hz cannot be .*: it must be a whole number"),
+        ('flights = 2\n[fixed.gains]\nk_roll = "much"', "gains.k_roll cannot be 'much': it must be a number"),
         ("flights = 2\n[drawn]\nwind_kt = { uniform = [0] }", "wind_kt must be drawn by one of"),
         ("flights = 2\n[fixed]\nseed = 1\n[drawn]\nseed = { choice = [1, 2] }", "cannot be fixed and drawn"),
         ("flights = 2\nspeed = 3", "has speed, which a campaign has not"),
@@ -115,6 +147,42 @@ def test_a_folder_of_another_campaign_is_refused(tmp_path: Path) -> None:
         pass
     with pytest.raises(LabError, match="flights of another campaign"):
         Results(tmp_path / "results", campaign(tmp_path, TEXT.replace("seed = 3", "seed = 4")))
+
+
+def test_values_that_cannot_be_flown_are_rows_with_the_columns_of_all_others(tmp_path: Path) -> None:
+    text = 'flights = 40\n[drawn]\nwind_kt = { choice = [5, 5, 500, "much"] }\n'
+    text += '"gains.k_roll" = { choice = [2, 2, nan, "much", 1e300] }\n'
+    # A campaign whose first flight cannot be flown is refused.
+    wanted = next(filter(None, (campaign_or_none(tmp_path, f"seed = {seed}\n{text}") for seed in range(100))))
+    with Results(tmp_path / "results", wanted) as results:
+        for number in range(wanted.flights):
+            order = wanted.order(number)
+            is_flown = order.conditions["wind_kt"] == 5 and order.gains["k_roll"] == 2
+            results.add(unflown(wanted, number) if is_flown else flying.fly_order(wanted, number))
+        table = pq.read_table(results.finish())
+    said = {one["error"] for one in table.to_pylist()}
+    assert {"wind_kt is 500.0, and must be 0 to 100", "wind_kt cannot be 'much': it must be a number"} <= said
+    assert "gains.k_roll cannot be 'much': it must be a number" in said
+    assert any("k_roll: value must be a number" in one for one in said)
+    assert {str(table.schema.field(name).type) for name in ("wind_kt", "gains.k_roll")} == {"double"}
+    before = (tmp_path / "results" / PARQUET).read_bytes()
+    with Results(tmp_path / "results", wanted) as again:
+        assert again.finish().read_bytes() == before
+
+
+@pytest.mark.parametrize("limit", [700, 6000], ids=["in the second flight", "in the table"])
+def test_a_full_disk_is_told_in_a_sentence_and_the_campaign_goes_on_where_it_was(tmp_path: Path, limit: int) -> None:
+    wanted = campaign(tmp_path)
+    rows = [unflown(wanted, number) for number in range(wanted.flights)]
+    with Results(tmp_path / "whole", wanted) as whole:
+        expected = kept(whole, rows)
+    assert len(orjson.dumps(rows[0])) < 700 < 2 * len(orjson.dumps(rows[0])) < 6 * len(orjson.dumps(rows[0])) < 6000
+    assert len(expected) > 6000
+    with Results(tmp_path / "full", wanted) as full, largest_file(limit), pytest.raises(LabError, match="Make room"):
+        kept(full, rows)
+    with Results(tmp_path / "full", wanted) as again:
+        assert list(again.missing()) == (list(range(1, 6)) if limit == 700 else [])
+        assert kept(again, [rows[number] for number in again.missing()]) == expected
 
 
 def test_two_processes_fly_what_one_flies(tmp_path: Path) -> None:

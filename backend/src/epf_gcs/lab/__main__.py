@@ -12,7 +12,7 @@ import typer
 
 from epf_gcs import __version__
 from epf_gcs.lab import campaign as campaigns
-from epf_gcs.lab.conditions import NAMES, Conditions
+from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.faults import read as read_faults
 from epf_gcs.lab.flight import Flight
@@ -64,8 +64,8 @@ def fly(
 
     As in: epf-lab fly gando wind_kt=15 wind_from_deg=250 gains.k_roll=3 fault=gyro.drift@60+30=0.002
     """
-    values, gains, faults = _read(given or [])
-    flight = fly_one(route(what), Conditions.of(values), gains, laws, read_faults(faults))
+    conditions, gains, faults = _read(given or [])
+    flight = fly_one(route(what), conditions, gains, laws, read_faults(faults))
     print("\n".join(_lines(flight)))
     if not flight.is_safe:
         raise typer.Exit(1)
@@ -127,42 +127,34 @@ def compare(before: Folder, after: Folder) -> None:
     print(f"  distance from the way, rms: {found.change:+.1f} m ({low:+.1f} to {high:+.1f} with 95 % certainty)")
 
 
-def _read(given: Sequence[str]) -> tuple[dict[str, object], dict[str, float], list[str]]:
-    values: dict[str, object] = {}
-    gains: dict[str, float] = {}
+def _read(given: Sequence[str]) -> tuple[Conditions, dict[str, float], list[str]]:
+    values: dict[str, str] = {}
+    gains: dict[str, str] = {}
     faults: list[str] = []
-    usual = Conditions()
     for one in given:
         name, sign, text = one.partition("=")
-        try:
-            if not sign:
-                raise LabError(f"{one!r} is not NAME=VALUE, as wind_kt=15")
-            if name.startswith("gains."):
-                gains[name.removeprefix("gains.")] = float(text)
-            elif name == "fault":
-                faults.append(text)
-            elif name not in NAMES:
-                raise LabError(f"there is no condition {name}: choose of {', '.join(NAMES)}, gains.NAME, fault")
-            else:
-                values[name] = type(getattr(usual, name))(text)
-        except ValueError as error:
-            raise LabError(f"{one!r} is no number") from error
-    return values, gains, faults
+        if not sign:
+            raise LabError(f"{one!r} is not NAME=VALUE, as wind_kt=15")
+        if name == "fault":
+            faults.append(text)
+            continue
+        is_gain = name.startswith(GAIN)
+        (gains if is_gain else values)[name.removeprefix(GAIN) if is_gain else name] = text
+    return Conditions.of(values, are_texts=True), gains_of(gains, are_texts=True), faults
 
 
 def _lines(flight: Flight) -> list[str]:
-    figures = flight.figures
     end = "safe" if flight.is_safe else "NOT SAFE"
     if flight.upset is not None:
         end = f"LOST after {flight.upset.time_s:.1f} s: {flight.upset.cause}"
     reached = f"{flight.captured_honestly} of {len(flight.route.waypoints)} waypoints"
-    altitude = figures.altitude.settled
+    altitude = flight.altitude.settled
     return [
-        f"{flight.route.name}: {end}; {reached}, {figures.time_s:.0f} s",
-        f"  off the leg         {figures.leg.rms_m:6.1f} m rms, {figures.leg.largest_m:.1f} m largest",
-        f"  off the way         {figures.near.rms_m:6.1f} m rms, turns included",
+        f"{flight.route.name}: {end}; {reached}, {flight.time_s:.0f} s",
+        f"  off the leg         {flight.leg.rms_m:6.1f} m rms, {flight.leg.largest_m:.1f} m largest",
+        f"  off the way         {flight.near.rms_m:6.1f} m rms, turns included",
         f"  altitude            {altitude.rms_ft:6.1f} ft rms, {altitude.largest_ft:.1f} ft largest",
-        f"  indicated airspeed  {figures.airspeed.settled.rms_kt:6.1f} kt rms",
+        f"  indicated airspeed  {flight.airspeed.settled.rms_kt:6.1f} kt rms",
         *(f"  {shown}" for shown in flight.evidence),
     ]
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
+from epf_gcs.lab.answers import within_limits
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.faults import Fault, check_aircraft
 from epf_gcs.lab.faulty import FaultyLockStep
@@ -84,7 +85,7 @@ class AircraftLoop(FaultyLockStep):
         measured[11] *= _M_PER_FT
         self._laws.step([*measured, *(channel + receiver for channel in self.channels)], 1.0 / self._rate_hz)
         aileron, elevator, throttle, rudder = self._laws.positions()[:4]
-        self._move(Surfaces(elevator, aileron, rudder, throttle))
+        self._uplink.send(within_limits(Surfaces(elevator, aileron, rudder, throttle)), self.time_s)
 
     def _give(self, arrived: list[bytes]) -> None:
         """Nothing comes over a line."""

@@ -27,13 +27,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.faults import Fault
 from epf_gcs.lab.faults import read as read_faults
 from epf_gcs.lab.routes import Route, route
 
-_GAIN: Final = "gains."
 _KEYS: Final = {"route", "flights", "seed", "fixed", "drawn", "faults"}
 _MOST_FLIGHTS: Final = 1_000_000
 # What a normal distribution draws beyond so many deviations is drawn again: no campaign means an aircraft of no mass.
@@ -64,12 +62,12 @@ class Draw:
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """One flight of a campaign, by its number."""
+    """One flight of a campaign, by its number: conditions and gains by name, as they were fixed or drawn."""
 
     number: int
-    conditions: Conditions
-    gains: Mapping[str, float]
-    faults: tuple[Fault, ...] = ()
+    conditions: Mapping[str, object]
+    gains: Mapping[str, object]
+    faults: tuple[Mapping[str, object], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +88,13 @@ class Campaign:
         return hashlib.sha256(f"{self.text}\n{self.route.waypoints}".encode()).hexdigest()
 
     def order(self, number: int) -> Order:
-        """Flight `number`, from 0: always the same, whoever flies it and in whatever order. Raises LabError."""
+        """Flight `number`, from 0: always the same, whoever flies it and in whatever order."""
         dice = random.Random(f"{self.seed}/{number}")
         values = {**self.fixed, **{name: draw.value(dice) for name, draw in self.drawn.items()}}
         values.setdefault("seed", dice.randrange(2**31))
-        gains = {name.removeprefix(_GAIN): values.pop(name) for name in list(values) if name.startswith(_GAIN)}
-        faults = [{name: _given(value, dice) for name, value in fault.items()} for fault in self.faults]
-        return Order(number, Conditions.of(values), gains, read_faults(faults))
+        gains = {name.removeprefix(GAIN): values.pop(name) for name in list(values) if name.startswith(GAIN)}
+        faults = tuple({name: _given(value, dice) for name, value in fault.items()} for fault in self.faults)
+        return Order(number, values, gains, faults)
 
 
 def read(path: Path) -> Campaign:
@@ -129,7 +127,10 @@ def read(path: Path) -> Campaign:
     twice = campaign.fixed.keys() & campaign.drawn.keys()
     if twice:
         raise LabError(f"{', '.join(sorted(twice))} cannot be fixed and drawn")
-    campaign.order(0)
+    first = campaign.order(0)
+    Conditions.of(first.conditions)
+    gains_of(first.gains)
+    read_faults(first.faults)
     return campaign
 
 
@@ -139,7 +140,7 @@ def _table(given: Mapping[str, object], name: str) -> dict[str, object]:
         raise LabError(f"`{name}` must be a table, as [{name}]")
     # [fixed.gains] and "gains.k_roll" are the same.
     gains = table.pop("gains", {})
-    return {**table, **{f"{_GAIN}{key}": value for key, value in gains.items()}}
+    return {**table, **{f"{GAIN}{key}": value for key, value in gains.items()}}
 
 
 def _faults(given: Mapping[str, object]) -> tuple[dict[str, object], ...]:

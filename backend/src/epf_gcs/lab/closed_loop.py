@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Final, Self
 
 from epf_gcs.codec.encode import encode_command
-from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
+from epf_gcs.lab.answers import Answers
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.laws import FMS_PERIOD_S, FMS_TASK, Laws
 from epf_gcs.simulator.simulation import Simulation, SimulationOptions
@@ -53,10 +53,9 @@ class ClosedLoop:
         self._rate_hz = options.rate_hz
         self._info: XplaneInfo | None = None
         self._gatherer = Gatherer(options.profile)
-        self._decoder = FrameDecoder()
+        self._answers = Answers()
         self._fms_every = round(FMS_PERIOD_S * options.rate_hz)
         self._frames = 0
-        self.waypoint = -1
         self.surfaces: Surfaces | None = None
         self.samples: list[Sample] = []
         self.bytes_to_station: list[bytes] = []
@@ -108,21 +107,12 @@ class ClosedLoop:
         self._frames += 1
         if self._frames % self._fms_every == 0:
             self._take(self.firmware.send_streams(FMS_TASK))
-        self.samples.append(Sample(simulation.time_s, simulation.state, self.waypoint, self.surfaces))
+        self.samples.append(Sample(simulation.time_s, simulation.state, self._answers.waypoint, self.surfaces))
 
     def _take(self, data: bytes) -> None:
         """What the station does with the board's frames."""
-        for found in self._decoder.feed(data):
-            match found:
-                case Frame(message=message) if message.name == "hil_surfaces":
-                    self.surfaces = Surfaces(*found.values)
-                    datagram = surfaces_datagram(self.surfaces)
-                    if datagram is None:
-                        raise LabError(f"the board sent surfaces that are no numbers: {self.surfaces}")
-                    self.simulation.receive(datagram)
-                case Frame(message=message) if message.name == "fms_hil_plan":
-                    self.waypoint = int(found.values[-1])
-                case Frame():
-                    pass
-                case Damage():
-                    raise LabError(f"the board sent {found}")
+        for surfaces in self._answers.take(data):
+            self.surfaces = surfaces
+            datagram = surfaces_datagram(surfaces)
+            if datagram is not None:
+                self.simulation.receive(datagram)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
-from typing import Final
+from dataclasses import asdict, dataclass
+from typing import Any, Final
 
 import msgspec
 
@@ -13,6 +13,9 @@ from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.models import AIRCRAFT
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import Loading, Situation, Start, Turbulence, Wind
+
+GAIN: Final = "gains."
+"""What the name of a gain begins with, where it stands beside those of conditions."""
 
 _PERCENT: Final = 100.0
 
@@ -44,15 +47,16 @@ class Conditions:
     seed: int = 1
 
     @classmethod
-    def of(cls, values: Mapping[str, object]) -> Conditions:
-        """From names and values. Raises LabError for a name that there is none of, or a value that cannot be."""
-        unknown = values.keys() - {field.name for field in fields(cls)}
+    def of(cls, values: Mapping[str, object], *, are_texts: bool = False) -> Conditions:
+        """From names and values; `are_texts`: values as typed on a command line. Raises LabError for a name that there
+        is none of, or a value that cannot be."""
+        unknown = values.keys() - USUAL.keys()
         if unknown:
-            raise LabError(f"there is no condition {', '.join(sorted(unknown))}: choose of {', '.join(NAMES)}")
-        try:
-            conditions = msgspec.convert(values, cls)
-        except msgspec.ValidationError as error:
-            raise LabError(f"a condition has a value that it cannot have: {error}") from error
+            raise LabError(
+                f"there is no condition {', '.join(sorted(unknown))}: choose of {', '.join(NAMES)}, gains.NAME"
+            )
+        given = {name: _typed(name, value, type(USUAL[name]), are_texts=are_texts) for name, value in values.items()}
+        conditions = msgspec.convert(given, cls)
         conditions.options()
         return conditions
 
@@ -75,14 +79,6 @@ class Conditions:
             link=link,
         )
 
-    def but(self, **changed: object) -> Conditions:
-        """The same with some of them changed. Raises LabError as `of`."""
-        return Conditions.of({**{name: getattr(self, name) for name in NAMES}, **changed})
-
-    def with_seed(self, seed: int) -> Conditions:
-        """The same in other turbulence, with other datagrams lost."""
-        return replace(self, seed=seed)
-
     def _check(self) -> None:
         for name, low, high in _LIMITS:
             value = getattr(self, name)
@@ -93,8 +89,9 @@ class Conditions:
                 raise LabError(f"{name} is {getattr(self, name)!r}, and must be one of {', '.join(known)}")
 
 
-NAMES: Final = tuple(field.name for field in fields(Conditions))
-"""In the order in which they are shown."""
+USUAL: Final[Mapping[str, Any]] = asdict(Conditions())
+"""The value of each condition where nothing is said, in the order in which they are shown."""
+NAMES: Final = tuple(USUAL)
 
 _LIMITS: Final = (
     ("wind_kt", 0.0, 100.0),
@@ -114,3 +111,18 @@ _CHOICES: Final = {
     "loop": ("hil", "aircraft"),
     "aircraft": tuple(AIRCRAFT),
 }
+
+
+def gains_of(values: Mapping[str, object], *, are_texts: bool = False) -> dict[str, float]:
+    """Gains by name. Raises LabError for a value that is no number."""
+    return {name: float(_typed(f"gains.{name}", value, float, are_texts=are_texts)) for name, value in values.items()}
+
+
+def _typed(name: str, value: object, kind: type, *, are_texts: bool) -> Any:
+    try:
+        return msgspec.convert(value, kind, strict=not are_texts)
+    except msgspec.ValidationError as error:
+        raise LabError(f"{name} cannot be {value!r}: it must be {_KINDS[kind]}") from error
+
+
+_KINDS: Final = {float: "a number", int: "a whole number", str: "a word"}

@@ -155,6 +155,11 @@ def read(asked: Iterable[Asked]) -> tuple[Fault, ...]:
     return tuple(_one(fault) for fault in asked)
 
 
+def told(asked: Iterable[Asked]) -> str:
+    """As text, also of what is none."""
+    return " ".join(_told(fault) for fault in asked)
+
+
 def check_hil(faults: Iterable[Fault]) -> None:
     """Raises LabError for a fault that the line of HIL cannot carry."""
     for fault in faults:
@@ -167,6 +172,13 @@ def check_aircraft(faults: Iterable[Fault]) -> None:
     for fault in faults:
         if fault.place in ("line", "simulator"):
             raise LabError(f"{fault} cannot be flown: {_NO_LINE}")
+
+
+def _told(asked: Asked) -> str:
+    try:
+        return str(_one(asked))
+    except LabError:
+        return str(asked)
 
 
 def _one(asked: Asked) -> Fault:

@@ -8,8 +8,9 @@ from struct import Struct
 from typing import Final
 
 from epf_gcs.codec.encode import frame_bytes
-from epf_gcs.codec.frame import TO_BOARD, Damage, FrameDecoder
+from epf_gcs.codec.frame import TO_BOARD
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.lab.answers import Answers
 from epf_gcs.lab.effects import SENSORS, SERVOS, Effect, LineEffect, SensorEffect, ServoEffect
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.faults import Fault, check_hil
@@ -99,8 +100,7 @@ class FaultyLockStep(LockStep):
     def _start_anew(self) -> None:
         self._laws.close()
         self._laws = self._new_board()
-        self._decoder = FrameDecoder()
-        self.waypoint = -1
+        self._answers = self._new_answers()
 
     def _moved(self) -> Controls:
         controls = self._controls
@@ -131,6 +131,5 @@ class FaultyLockStep(LockStep):
         for answer in answers:
             self._take(answer)
 
-    def _doubt(self, found: Damage) -> None:
-        if not any(line.fault.kind == "flipped" for line in self._lines):
-            super()._doubt(found)
+    def _new_answers(self) -> Answers:
+        return Answers(self._plan_stream, is_line_sound=not any(line.fault.kind == "flipped" for line in self._lines))

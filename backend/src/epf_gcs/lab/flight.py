@@ -4,30 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 from epf_gcs.lab.aircraft_loop import AircraftLoop
-from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.conditions import USUAL, Conditions
 from epf_gcs.lab.faults import Fault
 from epf_gcs.lab.faulty import FaultyLockStep
-from epf_gcs.lab.figures import Airspeed, Altitude, Capture, Distance, Figures, measure
+from epf_gcs.lab.figures import Figures, measure
 from epf_gcs.lab.lock_step import LockStep, Upset
 from epf_gcs.lab.routes import FLIGHT_PLAN, HIL_PLAN, Route
 from epf_gcs.lab.truth import Truth
 
 
-@dataclass(frozen=True, slots=True)
-class Flight:
-    """What was flown, in which conditions, and what it comes to: figures of the simulator's truth. `upset`: how it
-    ended before its time; None: its end is the route's, or time was up. `evidence`: what shows that each fault was
-    there."""
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Flight(Figures):
+    """What was flown, in which conditions, and the figures of it, from the simulator's truth. `upset`: how it ended
+    before its time; None: its end is the route's, or time was up. `evidence`: what shows that each fault was there."""
 
     route: Route
     conditions: Conditions
     gains: Mapping[str, float]
     truth: Truth
-    figures: Figures
     upset: Upset | None
     faults: tuple[Fault, ...] = ()
     evidence: tuple[str, ...] = ()
@@ -36,51 +34,6 @@ class Flight:
     def is_safe(self) -> bool:
         """Whether the aircraft was kept, and was at each waypoint when it counted as captured."""
         return self.upset is None and self.captured_honestly == len(self.route.waypoints)
-
-    @property
-    def waypoints_reached(self) -> int:
-        """How many waypoints the plan left behind."""
-        return self.figures.waypoints_reached
-
-    @property
-    def captures(self) -> tuple[Capture, ...]:
-        """Where the aircraft was then, of each."""
-        return self.figures.captures
-
-    @property
-    def captured_honestly(self) -> int:
-        """Of how many the aircraft was there, in height too."""
-        return self.figures.captured_honestly
-
-    @property
-    def time_s(self) -> float:
-        """How long it took."""
-        return self.figures.time_s
-
-    @property
-    def cross_track(self) -> Distance:
-        """From the line of the leg, turns included."""
-        return self.figures.cross_track
-
-    @property
-    def leg(self) -> Distance:
-        """From the line of the leg, without its first 10 s."""
-        return self.figures.leg
-
-    @property
-    def near(self) -> Distance:
-        """From this leg or the one before, whichever is nearer."""
-        return self.figures.near
-
-    @property
-    def altitude(self) -> Altitude:
-        """How the altitude was kept."""
-        return self.figures.altitude
-
-    @property
-    def airspeed(self) -> Airspeed:
-        """How the airspeed was kept."""
-        return self.figures.airspeed
 
     def __str__(self) -> str:
         """For a failed test: what to fly to see it again, and how it ended."""
@@ -111,8 +64,16 @@ def fly(
         loop.command("autopilot_on")
         truth = loop.fly(route.waypoints, min(longest_s, route.longest_s()))
         figures = measure(truth, route.waypoints)
-        evidence = loop.evidence() if isinstance(loop, FaultyLockStep) else ()
-        return Flight(route, conditions, dict(gains or {}), truth, figures, loop.upset, tuple(faults), evidence)
+        return Flight(
+            **{one.name: getattr(figures, one.name) for one in fields(Figures)},
+            route=route,
+            conditions=conditions,
+            gains=dict(gains or {}),
+            truth=truth,
+            upset=loop.upset,
+            faults=tuple(faults),
+            evidence=loop.evidence() if isinstance(loop, FaultyLockStep) else (),
+        )
 
 
 def _loop(conditions: Conditions, library: Path | None, faults: Sequence[Fault]) -> LockStep:
@@ -123,5 +84,4 @@ def _loop(conditions: Conditions, library: Path | None, faults: Sequence[Fault])
 
 def _changed(conditions: Conditions) -> list[str]:
     """The seed always, and what else is not as usual."""
-    usual = Conditions()
-    return [n for n in type(usual).__slots__ if n == "seed" or getattr(conditions, n) != getattr(usual, n)]
+    return [name for name, usual in USUAL.items() if name == "seed" or getattr(conditions, name) != usual]

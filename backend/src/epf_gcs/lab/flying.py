@@ -14,11 +14,11 @@ from typing import Final
 
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.lab.campaign import Campaign
-from epf_gcs.lab.conditions import Conditions
+from epf_gcs.lab.conditions import Conditions, gains_of
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.faults import Asked, read
 from epf_gcs.lab.flight import Flight, fly
-from epf_gcs.lab.routes import route
+from epf_gcs.lab.routes import Route, route
 from epf_gcs.lab.rows import Results, Row, row
 from epf_gcs.system.priority import be_nice
 
@@ -34,21 +34,23 @@ def fly_order(campaign: Campaign, number: int, library: Path | None = None) -> R
     """Fly one; what cannot be flown is a row that says why."""
     order = campaign.order(number)
     try:
-        return row(order, fly(campaign.route, order.conditions, order.gains, library, order.faults))
+        flown = fly_wanted(campaign.route, order.conditions, order.gains, library, order.faults)
+        return row(order, flown)
     except LabError as error:
         return row(order, None, str(error))
 
 
 def fly_wanted(
-    wanted: str | Path | Sequence[Waypoint],
+    wanted: Route | str | Path | Sequence[Waypoint],
     conditions: Mapping[str, object],
-    gains: Mapping[str, float] | None = None,
+    gains: Mapping[str, object] | None = None,
     library: Path | None = None,
     faults: Iterable[Asked] = (),
     longest_s: float = math.inf,
 ) -> Flight:
     """Fly a route by name, from a file or of waypoints, in conditions by name. Raises LabError for an unknown one."""
-    return fly(route(wanted), Conditions.of(conditions), gains, library, read(faults), longest_s)
+    what = wanted if isinstance(wanted, Route) else route(wanted)
+    return fly(what, Conditions.of(conditions), gains_of(gains or {}), library, read(faults), longest_s)
 
 
 def fly_all(

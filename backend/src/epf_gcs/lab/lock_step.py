@@ -15,9 +15,10 @@ from typing import Final, NamedTuple, Self
 
 from epf_gcs.codec.checksum import MASK
 from epf_gcs.codec.encode import encode_command
-from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Frame, FrameDecoder
-from epf_gcs.codec.messages_gen import COMMANDS, END, TELEMETRY_BY_NAME
+from epf_gcs.codec.frame import TO_BOARD
+from epf_gcs.codec.messages_gen import COMMANDS, END
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.lab.answers import Answers
 from epf_gcs.lab.closed_loop import FIRST_COMMANDS
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.figures import RouteEnd
@@ -56,10 +57,6 @@ _INFO: Final = COMMANDS["xplane_info"]
 _TOLD: Final = Struct(f"<I{_INFO.struct.format.lstrip('<')}")
 _TOLD_WORDS: Final = Struct(f"<{_TOLD.size // 4}I")
 _WORD: Final = Struct("<I")
-_ANSWER: Final = TELEMETRY_BY_NAME["hil_surfaces"]
-_ANSWER_HEAD: Final = FROM_BOARD.header + _WORD.pack(FROM_BOARD.type_bit | _ANSWER.id)
-_ANSWER_BYTES: Final = len(_ANSWER_HEAD) + _ANSWER.size + _WORD.size + len(END)
-_ANSWER_WORDS: Final = Struct(f"<{(_WORD.size + _ANSWER.size + _WORD.size) // 4}I")
 
 
 class Upset(NamedTuple):
@@ -84,7 +81,7 @@ class LockStep:
         self._rate_hz = options.rate_hz
         self._library = library
         self._laws = self._new_board()
-        self._decoder = FrameDecoder()
+        self._answers = self._new_answers()
         lever = trim.controls.throttle if options.throttle is None else options.throttle
         self._lever = lever
         self._controls = trim.controls if options.throttle is None else _with_lever(trim.controls, lever)
@@ -95,7 +92,6 @@ class LockStep:
         self._fms_every = round(FMS_PERIOD_S * options.rate_hz)
         self._frames = 0
         self._rows = array("d")
-        self.waypoint = -1
         self.upset: Upset | None = None
         for name, *values in FIRST_COMMANDS:
             self.command(name, *values)
@@ -132,12 +128,15 @@ class LockStep:
         end = round(longest_s * self._rate_hz)
         while self._frames < end and self.upset is None:
             latitude_deg, longitude_deg = self._frame()
-            if is_at(self.waypoint, latitude_deg, longitude_deg):
+            if is_at(self._answers.waypoint, latitude_deg, longitude_deg):
                 break
         return Truth.from_rows(self._rows)
 
     def _new_board(self) -> Laws:
         return Laws(1.0 / self._rate_hz, self._library)
+
+    def _new_answers(self) -> Answers:
+        return Answers(self._plan_stream)
 
     def _frame(self) -> tuple[float, float]:
         for surfaces in self._uplink.due(self.time_s):
@@ -161,7 +160,7 @@ class LockStep:
         self._give(self._downlink.due(self.time_s))
         if self._frames % self._fms_every == 0:
             self._take(self._laws.send_streams(FMS_TASK))
-        self._rows.extend((self.time_s, latitude_deg, longitude_deg, altitude_ft, values[10], self.waypoint))
+        self._rows.extend((self.time_s, latitude_deg, longitude_deg, altitude_ft, values[10], self._answers.waypoint))
         return latitude_deg, longitude_deg
 
     def _moved(self) -> Controls:
@@ -205,32 +204,9 @@ class LockStep:
         return TO_BOARD.header + body + _WORD.pack(-sum(_TOLD_WORDS.unpack(body)) & MASK) + END
 
     def _take(self, data: bytes) -> None:
-        """What the station does with the board's frames. Nearly all are one answer, whole and right."""
-        if len(data) == _ANSWER_BYTES and data.startswith(_ANSWER_HEAD) and data.endswith(END):
-            words = _ANSWER_WORDS.unpack_from(data, len(FROM_BOARD.header))
-            if not sum(words) & MASK:
-                self._move(Surfaces(*_ANSWER.struct.unpack_from(data, len(_ANSWER_HEAD))))
-                return
-        for found in self._decoder.feed(data):
-            match found:
-                case Frame(message=message) if message is _ANSWER:
-                    self._move(Surfaces(*found.values))
-                case Frame(message=message) if message.name == self._plan_stream:
-                    self.waypoint = int(found.values[-1])
-                case Frame():
-                    pass
-                case Damage():
-                    self._doubt(found)
-
-    def _doubt(self, found: Damage) -> None:
-        """What cannot be read of a board whose line is sound is the board's fault."""
-        raise LabError(f"the board sent {found}")
-
-    def _move(self, surfaces: Surfaces) -> None:
-        safe = surfaces.clamped()
-        if safe is None:
-            raise LabError(f"the board sent surfaces that are no numbers: {surfaces}")
-        self._uplink.send(safe, self.time_s)
+        """What the station does with the board's frames."""
+        for surfaces in self._answers.take(data):
+            self._uplink.send(surfaces, self.time_s)
 
 
 def _with_lever(controls: Controls, lever: float) -> Controls:

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Iterator
-from dataclasses import asdict
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from io import FileIO
 from pathlib import Path
 from typing import Any, Final, Self
 
+import msgspec
 import orjson
 
-from epf_gcs.disk import sync_folder
+from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.lab.campaign import Campaign, Order
+from epf_gcs.lab.conditions import GAIN, USUAL
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import told
 from epf_gcs.lab.flight import Flight
 
 PARQUET: Final = "flights.parquet"
@@ -24,29 +28,34 @@ _FINGERPRINT: Final = "campaign.sha256"
 Row = dict[str, Any]
 
 
+_OUTCOME: Final[Mapping[str, Callable[[Flight], Any]]] = {
+    "waypoints": lambda flight: len(flight.route.waypoints),
+    "waypoints_reached": lambda flight: flight.waypoints_reached,
+    "captured_honestly": lambda flight: flight.captured_honestly,
+    "time_s": lambda flight: flight.time_s,
+    "cross_track_rms_m": lambda flight: flight.cross_track.rms_m,
+    "leg_rms_m": lambda flight: flight.leg.rms_m,
+    "leg_largest_m": lambda flight: flight.leg.largest_m,
+    "near_rms_m": lambda flight: flight.near.rms_m,
+    "altitude_rms_ft": lambda flight: flight.altitude.settled.rms_ft,
+    "altitude_largest_ft": lambda flight: flight.altitude.settled.largest_ft,
+    "speed_rms_kt": lambda flight: flight.airspeed.settled.rms_kt,
+    "lost_at_s": lambda flight: None if flight.upset is None else flight.upset.time_s,
+    "lost_by": lambda flight: None if flight.upset is None else flight.upset.cause,
+}
+
+
 def row(order: Order, flight: Flight | None, error: str | None = None) -> Row:
-    """Conditions, gains and figures of one flight, by the names of Parquet's columns. `error`: why it was not flown."""
-    figures = None if flight is None else flight.figures
-    upset = None if flight is None else flight.upset
+    """Conditions, gains and figures of one flight, by the names of Parquet's columns: the same in every row, with None
+    for what there is none of. `error`: why it was not flown."""
+    conditions = {**USUAL, **order.conditions}
     return {
         "number": order.number,
-        **asdict(order.conditions),
-        **{f"gains.{name}": value for name, value in order.gains.items()},
-        "faults": " ".join(map(str, order.faults)),
+        **{name: _told(conditions[name], type(usual)) for name, usual in USUAL.items()},
+        **{f"{GAIN}{name}": _told(value, float) for name, value in order.gains.items()},
+        "faults": told(order.faults),
         "is_safe": flight is not None and flight.is_safe,
-        "waypoints": None if flight is None else len(flight.route.waypoints),
-        "waypoints_reached": None if figures is None else figures.waypoints_reached,
-        "captured_honestly": None if figures is None else figures.captured_honestly,
-        "time_s": None if figures is None else _number(figures.time_s),
-        "cross_track_rms_m": None if figures is None else _number(figures.cross_track.rms_m),
-        "leg_rms_m": None if figures is None else _number(figures.leg.rms_m),
-        "leg_largest_m": None if figures is None else _number(figures.leg.largest_m),
-        "near_rms_m": None if figures is None else _number(figures.near.rms_m),
-        "altitude_rms_ft": None if figures is None else _number(figures.altitude.settled.rms_ft),
-        "altitude_largest_ft": None if figures is None else _number(figures.altitude.settled.largest_ft),
-        "speed_rms_kt": None if figures is None else _number(figures.airspeed.settled.rms_kt),
-        "lost_at_s": None if upset is None else upset.time_s,
-        "lost_by": None if upset is None else upset.cause,
+        **{name: None if flight is None else _number(read(flight)) for name, read in _OUTCOME.items()},
         "error": error,
     }
 
@@ -78,24 +87,36 @@ class Results:
 
     def add(self, flown: Row) -> None:
         """Keep a flight. Raises LabError if the disk does not take it."""
-        try:
-            self._journal.write(orjson.dumps(flown) + b"\n")
-        except OSError as error:
-            raise LabError(f"{self._folder} takes no more: {error.strerror}. Go on with the same command.") from error
+        line = orjson.dumps(flown) + b"\n"
+        with self._going_on():
+            # A disk that fills up takes a part of the line without an error, and refuses the next.
+            while line:
+                line = line[self._journal.write(line) :]
         self.rows[flown["number"]] = flown
 
     def finish(self) -> Path:
-        """All flights in order as Parquet; returns its path. The same rows give the same bytes."""
+        """All flights in order as Parquet; returns its path. The same rows give the same bytes. Raises LabError if the
+        disk does not take it."""
         import pyarrow as pa  # noqa: PLC0415 - takes a second, and a campaign that is cut short needs none of it
         import pyarrow.parquet as pq  # noqa: PLC0415
 
-        os.fsync(self._journal.fileno())
         ordered = [self.rows[number] for number in sorted(self.rows)]
         path, unfinished = self._folder / PARQUET, self._folder / f"{PARQUET}.part"
-        pq.write_table(pa.Table.from_pylist(ordered), unfinished, compression="zstd")
-        unfinished.replace(path)
-        sync_folder(self._folder)
+        with self._going_on():
+            os.fsync(self._journal.fileno())
+            pq.write_table(pa.Table.from_pylist(ordered), unfinished, compression="zstd")
+            unfinished.replace(path)
+            sync_folder(self._folder)
         return path
+
+    @contextmanager
+    def _going_on(self) -> Iterator[None]:
+        """What is written in it can be written later, by the same command."""
+        try:
+            yield
+        except OSError as error:
+            why = error.strerror or error
+            raise LabError(f"{self._folder} takes no more: {why}. Make room, and give the command again.") from error
 
     def _claim(self) -> None:
         mark = self._folder / _FINGERPRINT
@@ -103,8 +124,8 @@ class Results:
             if mark.read_text(encoding="ascii").strip() != self._campaign.fingerprint:
                 raise LabError(f"{self._folder} holds the flights of another campaign: choose another folder")
             return
-        (self._folder / CAMPAIGN).write_text(self._campaign.text, encoding="utf-8")
-        mark.write_text(self._campaign.fingerprint + "\n", encoding="ascii")
+        replace_file(self._folder / CAMPAIGN, self._campaign.text.encode())
+        replace_file(mark, f"{self._campaign.fingerprint}\n".encode("ascii"))
 
 
 def _whole_lines(path: Path) -> Iterator[Row]:
@@ -124,6 +145,14 @@ def _whole_lines(path: Path) -> Iterator[Row]:
             yield kept
 
 
-def _number(value: float) -> float | None:
-    """None for a figure of nothing."""
-    return value if value == value else None
+def _told(value: object, kind: type) -> Any:
+    """None for a value that its column cannot hold."""
+    try:
+        return _number(msgspec.convert(value, kind))
+    except msgspec.ValidationError:
+        return None
+
+
+def _number(value: Any) -> Any:
+    """None for a number that is not finite, as of a figure of nothing."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -11,7 +11,7 @@ from typing import Any, Final
 import numpy as np
 import pyarrow.parquet as pq
 
-from epf_gcs.lab.conditions import NAMES
+from epf_gcs.lab.conditions import GAIN, NAMES
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.rows import PARQUET, Row
 from epf_gcs.lab.truth import Column
@@ -136,7 +136,7 @@ def _effects(flown: Sequence[Row]) -> Iterator[Effect]:
         return
     # A lost aircraft is further off than any that was kept.
     figure = np.array([math.inf if row[FIGURE] is None or not row["is_safe"] else row[FIGURE] for row in flown])
-    names = [*(name for name in NAMES if name not in _NOT_RANKED), *(n for n in flown[0] if n.startswith("gains."))]
+    names = [*(name for name in NAMES if name not in _NOT_RANKED), *(n for n in flown[0] if n.startswith(GAIN))]
     for name in names:
         values = [row[name] for row in flown]
         if len(set(values)) < 2 or not all(isinstance(value, int | float) for value in values):
