@@ -29,6 +29,8 @@ class Conditions:
     JSBSim makes it. `round_trip_ms`: fixed delay from the simulator over the board and back, half of it each way;
     `jitter_ms`: up to so much more each way; `loss_percent` of the datagrams each way. `mass_factor`, `cg_aft_m`,
     `control_power`: see `simulator.situation.Loading`. `law`: how the board flies its plan, one of `laws.LAWS`.
+    `loop`: which of the board's two: `hil`, told by command 50, or `aircraft`, that of the real aircraft, told by
+    sensors that are right, without a link.
     """
 
     wind_kt: float = 0.0
@@ -41,6 +43,7 @@ class Conditions:
     jitter_ms: float = 0.0
     loss_percent: float = 0.0
     start: str = "air"
+    loop: str = "hil"
     aircraft: str = "rc"
     law: str = LAWS[0]
     rate_hz: int = 50
@@ -108,6 +111,7 @@ _LIMITS: Final = (
 _CHOICES: Final = {
     "turbulence": tuple(Turbulence),
     "start": tuple(Start),
+    "loop": ("hil", "aircraft"),
     "aircraft": tuple(AIRCRAFT),
     "law": LAWS,
 }

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from epf_gcs.lab.aircraft_loop import AircraftLoop
 from epf_gcs.lab.conditions import USUAL, Conditions
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import Fault
+from epf_gcs.lab.faulty import FaultyLockStep
 from epf_gcs.lab.figures import Figures, measure
 from epf_gcs.lab.laws import BANK_LIMIT, LINE, USUAL_BANK_DEG
 from epf_gcs.lab.lock_step import LockStep, Upset
 from epf_gcs.lab.passages import in_passing
-from epf_gcs.lab.routes import Route
+from epf_gcs.lab.routes import FLIGHT_PLAN, HIL_PLAN, Route
 from epf_gcs.lab.truth import Truth
 
 
@@ -28,7 +32,8 @@ class Moment(NamedTuple):
 class Flight(Figures):
     """What was flown, in which conditions, and the figures of it, from the simulator's truth. `upset`: how it ended
     before its time; None: its end is the route's, or time was up. `library`: the laws; None: this station's own.
-    `bounds`: what `check` held it against."""
+    `bounds`: what `check` held it against. `longest_s`: when it was ended at the latest. `evidence`: what shows that
+    each fault was there."""
 
     route: Route
     conditions: Conditions
@@ -37,6 +42,9 @@ class Flight(Figures):
     upset: Upset | None
     library: Path | None = None
     bounds: dict[str, float] = field(default_factory=dict, compare=False)
+    longest_s: float = math.inf
+    faults: tuple[Fault, ...] = ()
+    evidence: tuple[str, ...] = ()
 
     @property
     def is_safe(self) -> bool:
@@ -75,6 +83,7 @@ class Flight(Figures):
         """For a failed test: what to fly to see it again, and how it ended."""
         changed = [f"{name}={getattr(self.conditions, name)!r}" for name in _changed(self.conditions)]
         changed += [f"{name}={value!r}" for name, value in self.gains.items()]
+        changed += [f"fault={fault}" for fault in self.faults]
         end = f"lost after {self.upset.time_s:.1f} s: {self.upset.cause}" if self.upset else f"{self.time_s:.0f} s"
         reached = f"{self.captured_honestly} of {len(self.route.waypoints)} waypoints"
         return f"<flight of {self.route.name} ({', '.join(changed)}): {reached}, {end}>"
@@ -83,11 +92,17 @@ class Flight(Figures):
 
 
 def fly(
-    route: Route, conditions: Conditions, gains: Mapping[str, float] | None = None, library: Path | None = None
+    route: Route,
+    conditions: Conditions,
+    gains: Mapping[str, float] | None = None,
+    library: Path | None = None,
+    faults: Sequence[Fault] = (),
+    longest_s: float = math.inf,
 ) -> Flight:
-    """Fly a route from its start to its end, in lock-step. Raises LabError if it cannot be flown as asked."""
-    with LockStep(conditions.options(), library) as loop:
-        truth = fly_in(loop, route, conditions, gains or {})
+    """Fly a route from its start to its end, or for so long, in lock-step. Raises LabError if it cannot be flown as
+    asked, or if a fault that was asked for was not there."""
+    with loop_of(conditions, library, faults) as loop:
+        truth = fly_in(loop, route, conditions, gains or {}, longest_s)
         figures = measure(truth, route.waypoints)
         if conditions.law == LINE:
             figures = in_passing(figures, truth, route, (gains or {}).get(BANK_LIMIT, USUAL_BANK_DEG))
@@ -99,17 +114,33 @@ def fly(
             truth=truth,
             upset=loop.upset,
             library=library,
+            longest_s=longest_s,
+            faults=tuple(faults),
+            evidence=loop.evidence() if isinstance(loop, FaultyLockStep) else (),
         )
 
 
-def fly_in(loop: LockStep, route: Route, conditions: Conditions, gains: Mapping[str, float]) -> Truth:
+def loop_of(
+    conditions: Conditions, library: Path | None, faults: Sequence[Fault], kept_by: type[LockStep] | None = None
+) -> LockStep:
+    """A loop for these conditions and faults; `kept_by` sees all that passes in it."""
+    kind = AircraftLoop if conditions.loop == "aircraft" else FaultyLockStep if faults else LockStep
+    made = kind if kept_by is None else type(kept_by.__name__, (kept_by, kind), {})
+    given = (faults,) if issubclass(kind, FaultyLockStep) else ()
+    loop: LockStep = made(conditions.options(), *given, library)
+    return loop
+
+
+def fly_in(
+    loop: LockStep, route: Route, conditions: Conditions, gains: Mapping[str, float], longest_s: float = math.inf
+) -> Truth:
     """Fly a route in a loop that was made for these conditions. Raises LabError if it cannot be flown as asked."""
     loop.select(conditions.law)
     loop.set_gains(gains)
-    for name, values in route.commands():
+    for name, values in route.commands(FLIGHT_PLAN if conditions.loop == "aircraft" else HIL_PLAN):
         loop.command(name, *values)
     loop.command("autopilot_on")
-    return loop.fly(route.waypoints, route.longest_s())
+    return loop.fly(route.waypoints, min(longest_s, route.longest_s()))
 
 
 FIGURES: Final[Mapping[str, Callable[[Flight], float]]] = {

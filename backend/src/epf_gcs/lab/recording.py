@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, cast
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
 from epf_gcs.data_folder.whereabouts import of_running
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.flight import Flight, Moment, fly_in
+from epf_gcs.lab.flight import Flight, Moment, fly_in, loop_of
 from epf_gcs.lab.lock_step import LockStep
 from epf_gcs.library.about import About, write_about
 from epf_gcs.recordings import notes
@@ -71,9 +71,9 @@ class Recorded:
 def record(flight: Flight, data_dir: Path, title: str = "") -> Recorded:
     """Fly it again, and keep every byte of it in a station's data folder. Raises LabError if the disk does not take it,
     or if it is another flight now, as with laws that were built anew."""
-    with _RecordedLockStep(flight.conditions.options(), flight.library) as loop:
+    with _recorded(flight) as loop:
         loop.greet()
-        again = fly_in(loop, flight.route, flight.conditions, flight.gains)
+        again = fly_in(loop, flight.route, flight.conditions, flight.gains, flight.longest_s)
         if not all(map(np.array_equal, again.columns(), flight.truth.columns())):
             raise LabError(f"{flight} is another flight when it is flown again: were the laws built anew?")
         try:
@@ -82,15 +82,21 @@ def record(flight: Flight, data_dir: Path, title: str = "") -> Recorded:
             raise LabError(f"{data_dir} takes no recording: {error.strerror or error}") from error
 
 
+def _recorded(flight: Flight) -> _RecordedLockStep:
+    """The loop that the flight was flown in, of which everything is kept."""
+    loop = loop_of(flight.conditions, flight.library, flight.faults, _RecordedLockStep)
+    return cast(_RecordedLockStep, loop)
+
+
 class _RecordedLockStep(LockStep):
     """A loop of which every byte is kept, with its time in the simulation."""
 
-    def __init__(self, options: SimulationOptions, library: Path | None = None) -> None:
+    def __init__(self, options: SimulationOptions, *others: Any) -> None:
         self._said: list[tuple[float, int, bytes]] = []
         self._writer = RowWriter(options.profile)
         self._profile = options.profile
         self._heartbeat_every = round(_HEARTBEAT_PERIOD_S * options.rate_hz)
-        super().__init__(options, library)
+        super().__init__(options, *others)
 
     def greet(self) -> None:
         """Ask the board what a station asks first."""
@@ -130,7 +136,13 @@ class _RecordedLockStep(LockStep):
                 notes.IDENTITY,
                 {"station": __version__, "aircraft": flight.conditions.aircraft, "operator": _BY, "emulated": True},
             ),
-            (notes.PLAN, {"plan": "hil", "waypoints": [asdict(one) for one in flight.route.waypoints]}),
+            (
+                notes.PLAN,
+                {
+                    "plan": "flight" if flight.conditions.loop == "aircraft" else "hil",
+                    "waypoints": [asdict(one) for one in flight.route.waypoints],
+                },
+            ),
             (notes.LINE, {**line, "line": "board", "profile": None, "emulated": True}),
             (notes.LINE, {**line, "line": "simulator", "profile": self._profile, "emulated": False}),
         ]
@@ -144,9 +156,9 @@ class _RecordedLockStep(LockStep):
             self._take(self._laws.send_streams(_HEARTBEAT_TASK))
         return place
 
-    def _tell(self, data: bytes) -> None:
+    def _feed(self, data: bytes) -> bytes:
         self._keep(BOARD_SENT, data)
-        super()._tell(data)
+        return super()._feed(data)
 
     def _take(self, data: bytes) -> None:
         self._keep(BOARD_RECEIVED, data)

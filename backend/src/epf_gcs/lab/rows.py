@@ -17,6 +17,7 @@ from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.lab.campaign import Campaign, Order
 from epf_gcs.lab.conditions import GAIN, USUAL
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import told
 from epf_gcs.lab.flight import FIGURES, Flight
 
 PARQUET: Final = "flights.parquet"
@@ -36,23 +37,6 @@ _OUTCOME: Final[Mapping[str, Callable[[Flight], Any]]] = {
 }
 
 
-_OUTCOME: Final[Mapping[str, Callable[[Flight], Any]]] = {
-    "waypoints": lambda flight: len(flight.route.waypoints),
-    "waypoints_reached": lambda flight: flight.waypoints_reached,
-    "captured_honestly": lambda flight: flight.captured_honestly,
-    "time_s": lambda flight: flight.time_s,
-    "cross_track_rms_m": lambda flight: flight.cross_track.rms_m,
-    "leg_rms_m": lambda flight: flight.leg.rms_m,
-    "leg_largest_m": lambda flight: flight.leg.largest_m,
-    "near_rms_m": lambda flight: flight.near.rms_m,
-    "altitude_rms_ft": lambda flight: flight.altitude.settled.rms_ft,
-    "altitude_largest_ft": lambda flight: flight.altitude.settled.largest_ft,
-    "speed_rms_kt": lambda flight: flight.airspeed.settled.rms_kt,
-    "lost_at_s": lambda flight: None if flight.upset is None else flight.upset.time_s,
-    "lost_by": lambda flight: None if flight.upset is None else flight.upset.cause,
-}
-
-
 def row(order: Order, flight: Flight | None, error: str | None = None) -> Row:
     """Conditions, gains and figures of one flight, by the names of Parquet's columns: the same in every row, with None
     for what there is none of. `error`: why it was not flown."""
@@ -61,6 +45,7 @@ def row(order: Order, flight: Flight | None, error: str | None = None) -> Row:
         "number": order.number,
         **{name: _told(conditions[name], type(usual)) for name, usual in USUAL.items()},
         **{f"{GAIN}{name}": _told(value, float) for name, value in order.gains.items()},
+        "faults": told(order.faults),
         "is_safe": flight is not None and flight.is_safe,
         **{name: None if flight is None else _number(read(flight)) for name, read in _OUTCOME.items()},
         "error": error,
