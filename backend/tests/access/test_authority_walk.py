@@ -9,7 +9,7 @@ import pytest
 from epf_gcs.contract.events import ControlReason, RequestResult
 from tests.support.control_walk import Walk
 
-STEPS = 200_000
+STEPS = 60_000
 
 
 @pytest.mark.uncounted

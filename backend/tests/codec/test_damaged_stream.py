@@ -16,7 +16,7 @@ from tests.support.waiting import DEADLINE_S
 
 pytestmark = pytest.mark.uncounted
 
-FRAMES = 100_000
+FRAMES = 25_000
 SHARE = 0.001
 
 

@@ -35,6 +35,8 @@ def viewer(name: str) -> Holder:
 
 
 OWNER = Holder("boss", Standing.owner)
+# More than anybody may have waiting.
+MANY = 100
 
 
 async def settle() -> None:
@@ -43,15 +45,17 @@ async def settle() -> None:
 
 
 async def filled(jobs: HeldJobs, *holders: Holder) -> list[Job]:
-    """As many exports as these may start, each as fast as it can."""
+    """As many exports as these may start, each as fast as it can; fails where there is no end of it."""
     started: list[Job] = []
     for holder in holders:
-        while True:
+        for _ in range(MANY):
             try:
                 started.append(jobs.start("export", [], by=holder, flight="f"))
             except ConflictError:
                 break
             await settle()
+        else:
+            raise AssertionError(f"{holder.key} may start {MANY} jobs: nobody refuses them")
     return started
 
 

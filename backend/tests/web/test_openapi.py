@@ -8,19 +8,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import schemathesis
 from hypothesis import HealthCheck, Phase, given, settings
-from schemathesis.config import SchemathesisConfig
-from schemathesis.specs.openapi.checks import ignored_auth, positive_data_acceptance
 
 from epf_gcs.access.roles import Role
-from epf_gcs.web.app import create_app
+from epf_gcs.web.docs import OPENAPI_PATH
 from epf_gcs.web.serving.access_table import ROUTES
-from epf_gcs.web.serving.settings import Settings
 from tests.support.callers import Browser, person, program, stranger, strict_gateway
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.quick_doctor import QuickDoctor
+from tests.support.waiting import DEADLINE_S
 
 pytestmark = pytest.mark.uncounted
 
@@ -29,16 +26,9 @@ EXAMPLES = int(os.environ.get("INTERFACE_EXAMPLES", "15"))
 EXAMPLES_BY_ROLE = int(os.environ.get("INTERFACE_EXAMPLES", "3"))
 # What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.
 OPERATIONS = sorted(
-    (
-        (method.upper(), path)
-        for path, operations in create_app(Settings(data_dir=Path("unused"))).openapi()["paths"].items()
-        for method in operations
-    ),
+    (key for key in ROUTES if key[1].startswith("/api/v1/") and key[1] != OPENAPI_PATH),
     key=lambda operation: (operation[0] == "DELETE" or operation[1].endswith("/ahrs-test"), operation),
 )
-# The range of a value depends on the command's name, and an address on what is plugged in: no schema can say that.
-# Nor that this computer needs no key.
-BEYOND_A_SCHEMA = [positive_data_acceptance, ignored_auth]
 
 
 @pytest.fixture(scope="module")
@@ -53,9 +43,13 @@ def flying(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
 
 @pytest.fixture(scope="module")
 def described(flying: Gateway) -> Any:
+    # Here: it takes a second, and every worker reads this file.
+    import schemathesis
+    from schemathesis.config import SchemathesisConfig
+
     # Keys and cookies that it makes up are strangers': who asks is chosen here.
     config = SchemathesisConfig.from_dict({"generation": {"with-security-parameters": False}})
-    return schemathesis.openapi.from_url(f"{flying.base}/api/v1/openapi.json", config=config)
+    return schemathesis.openapi.from_url(f"{flying.base}{OPENAPI_PATH}", config=config, timeout=DEADLINE_S)
 
 
 def asked(examples: int) -> settings:
@@ -71,10 +65,16 @@ def asked(examples: int) -> settings:
 
 @pytest.mark.parametrize(("method", "path"), OPERATIONS)
 def test_every_answer_is_as_described(described: Any, method: str, path: str) -> None:
+    from schemathesis.specs.openapi.checks import ignored_auth, positive_data_acceptance
+
+    # The range of a value depends on the command's name, and an address on what is plugged in: no schema can say that.
+    # Nor that this computer needs no key.
+    beyond = [positive_data_acceptance, ignored_auth]
+
     @asked(EXAMPLES)
     @given(case=described[path][method].as_strategy())
     def ask(case: Any) -> None:
-        case.call_and_validate(excluded_checks=BEYOND_A_SCHEMA)
+        case.call_and_validate(excluded_checks=beyond)
 
     ask()
 
