@@ -21,6 +21,12 @@ READ_ALL_BYTES = 16 * 10 + 12 + 12 + 36 + 40 + 48 + 16 + 20 + 20 + 4 + 32
 """Ten frames: heartbeat and the nine streams."""
 
 
+@pytest.fixture(params=["posix", "posix-asan"], ids=["shipped", "sanitized"])
+def flavour(request: pytest.FixtureRequest, built: None) -> str:
+    """The board as it ships too."""
+    return str(request.param)
+
+
 def test_the_link_leads_to_a_terminal_that_changes_no_byte(text: Station, boards: Boards) -> None:
     assert boards.link.is_symlink()
     assert stat.S_ISCHR(boards.link.stat().st_mode)

@@ -48,7 +48,7 @@ def test_a_flipped_bit_keeps_no_station_from_starting(tmp_path: Path) -> None:
     whole = filled(tmp_path).read_bytes()
     dice = random.Random(13)
     set_aside = 0
-    for number in range(100):
+    for number in range(300):
         folder = tmp_path / str(number)
         folder.mkdir()
         damaged = bytearray(whole)

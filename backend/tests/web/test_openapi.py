@@ -22,7 +22,7 @@ from tests.support.waiting import DEADLINE_S
 pytestmark = pytest.mark.uncounted
 
 # Enough for each pass; `make fuzz-interface` asks more of the same.
-EXAMPLES = int(os.environ.get("INTERFACE_EXAMPLES", "15"))
+EXAMPLES = int(os.environ.get("INTERFACE_EXAMPLES", "8"))
 EXAMPLES_BY_ROLE = int(os.environ.get("INTERFACE_EXAMPLES", "3"))
 # What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.
 OPERATIONS = sorted(
