@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from epf_gcs.contract.surroundings import HeightSet
 from epf_gcs.errors import GatewayError, NotFoundError
 from epf_gcs.formats.quantized_mesh import encode_tile, tile_nodes
 from epf_gcs.geoid import geoid_m
@@ -63,12 +64,14 @@ def folder(tmp_path: Path) -> Iterator[MapFolder]:
     made.close()
 
 
-def heights(folder: MapFolder) -> tuple[Any, bool]:
-    """The ground at NORTH, EAST, and whether its datum is unknown."""
+def heights(folder: MapFolder) -> tuple[Any, HeightSet]:
+    """The ground at NORTH, EAST, and the set that it is of."""
 
-    async def read() -> tuple[Any, bool]:
+    async def read() -> tuple[Any, HeightSet]:
         ground = Ground(FolderTiles(folder))
-        return await ground.read(NORTH, EAST), ground.has_unknown_datum(NORTH, EAST)
+        found_m = await ground.read(NORTH, EAST)
+        (one,) = ground.sets(NORTH, EAST)
+        return found_m, one
 
     return asyncio.run(read())
 
@@ -76,25 +79,26 @@ def heights(folder: MapFolder) -> tuple[Any, bool]:
 @pytest.mark.parametrize("datum", ["orthometric", "ellipsoidal"])
 def test_the_same_ground_is_as_high_from_a_set_of_either_datum(tmp_path: Path, folder: MapFolder, datum: str) -> None:
     write_set(tmp_path / "a.mbtiles", ellipsoidal=datum == "ellipsoidal", vertical_datum=datum)
-    found_m, is_unknown = heights(folder)
+    found_m, judged_by = heights(folder)
     np.testing.assert_allclose(found_m, ground_m(NORTH, EAST), atol=2.0)
-    assert not is_unknown
+    assert (judged_by.name, judged_by.datum) == ("a", datum)
+    assert judged_by.geoid_m == pytest.approx(max(geoid_m(NORTH, EAST)), abs=0.06)
 
 
 def test_a_set_that_says_nothing_is_asked_for_once_and_then_right(tmp_path: Path, folder: MapFolder) -> None:
     write_set(tmp_path / "a.mbtiles", ellipsoidal=True)
     (layer,) = folder.layers()
     assert (layer.datum, layer.description.datum) == (None, None)
-    assert heights(folder)[1], "and until then it is said to be unknown"
+    assert heights(folder)[1].datum is None, "and until then it is said to be unknown"
     _, _, stamp = folder.tile(layer.id, ZOOM, COLUMN, ROW)
     folder.choose_datum(layer.id, "ellipsoidal")
     # Kept with the set, also over a restart of the station.
     again = MapFolder(tmp_path, lambda _: None)
     assert [one.datum for one in again.layers()] == ["ellipsoidal"]
     again.close()
-    found_m, is_unknown = heights(folder)
+    found_m, judged_by = heights(folder)
     np.testing.assert_allclose(found_m, ground_m(NORTH, EAST), atol=2.0)
-    assert not is_unknown
+    assert judged_by.datum == "ellipsoidal"
     # A browser that keeps the tile as it was asks for the other one.
     assert folder.tile(layer.id, ZOOM, COLUMN, ROW)[2] != stamp
 

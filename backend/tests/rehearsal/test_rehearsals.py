@@ -70,6 +70,9 @@ def test_the_program_finds_what_its_parts_find() -> None:
     assert [(one.code, one.row) for one in found.findings] == [(one.code, one.row) for one in expected]
     assert found.time_s == pytest.approx(here.time_s)
     assert (found.last, found.ground) == (19, "whole")
+    (judged_by,) = found.heights
+    assert (judged_by.name, judged_by.datum) == ("plain", None)
+    assert 40.0 < judged_by.geoid_m < 50.0, "over Gran Canaria, once for the whole flight"
 
 
 def test_the_island_round_is_known_whole_though_it_crosses_more_tiles_than_are_kept() -> None:
@@ -80,7 +83,8 @@ def test_the_island_round_is_known_whole_though_it_crosses_more_tiles_than_are_k
 
 
 def test_ground_that_is_not_known_is_said() -> None:
-    assert flown(order(STRAIGHT), Nothing()).ground == "none"
+    unknown = flown(order(STRAIGHT), Nothing())
+    assert (unknown.ground, unknown.heights) == ("none", [])
     assert flown(order(SQUARE), Plain(0.0, known_to_deg=-15.39)).ground == "part"
 
 

@@ -37,7 +37,15 @@ test("what a flight finds is listed with its legs, until the plan is edited", as
   const asked = await fly(station);
   expect(asked).toMatchObject({ path: "/api/v1/missions/rehearsal", body: { waypoints: drawn, first: 0 } });
   const findings = [{ code: "short_leg", row: 1, params: { distance_m: 120, radius_m: 200 } }];
-  await asked.answer({ time_s: 95, last: 2, ground: "part", fence: false, battery: true, findings });
+  await asked.answer({
+    time_s: 95,
+    last: 2,
+    ground: "part",
+    heights: [],
+    fence: false,
+    battery: true,
+    findings,
+  });
   const words = screen.getByText(/^Volado en el modelo/).textContent;
   expect(words).toContain(
     "1:35 min hasta el waypoint 3. Sin juzgar: parte del terreno (no se sabe su altura), la valla (no hay).",
@@ -52,8 +60,24 @@ test("what a flight finds is listed with its legs, until the plan is edited", as
 test("a flight that finds nothing says so, with how it was flown", async () => {
   const { station } = open();
   const asked = await fly(station);
-  await asked.answer({ time_s: 95, last: 2, ground: "whole", fence: true, battery: true, findings: [] });
-  expect(screen.getByText(/^Volado en el modelo.*No se encontró nada\.$/)).toBeDefined();
+  const heights = [
+    { name: "Gando", datum: "ellipsoidal", geoid_m: 43.9 },
+    { name: "isla", datum: null, geoid_m: 42.1 },
+  ];
+  await asked.answer({
+    time_s: 95,
+    last: 2,
+    ground: "whole",
+    heights,
+    fence: true,
+    battery: true,
+    findings: [],
+  });
+  const words = screen.getByText(/^Volado en el modelo.*No se encontró nada\.$/).textContent;
+  expect(words).toContain(
+    "las alturas de Gando, que cuentan desde el elipsoide: EGM96 las ha convertido en 144 ft",
+  );
+  expect(screen.getByText(/las alturas de isla.*pueden estar mal en 138 ft/)).toBeDefined();
 });
 
 test("a plan that was not flown says why, and nothing that looks like a result", async () => {

@@ -2,12 +2,14 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Waypoint } from "../lib/plan";
 import type { PlanName } from "../protocol/missions";
+import { useHeightText } from "../readouts/heightSets";
 import { useRoleBlocked } from "../requests/useRole";
 import { useConnection } from "../store/hooks";
 import { Button } from "../ui/Button";
+import { Notice } from "../ui/Notice";
 import { FlightConditionFields } from "./FlightConditionFields";
 import { usePlans } from "./planDrafts";
-import { flownIssues, type RehearsalEnd } from "./rehearsal";
+import { doubtfulHeights, flownIssues, type RehearsalEnd } from "./rehearsal";
 import { useIssueText } from "./useIssueText";
 import { useRehearsal, useRehearsalText } from "./useRehearsal";
 import "./rehearsal.css";
@@ -45,12 +47,18 @@ function Outcome({ end, onGo }: { end: RehearsalEnd; onGo: (row: number) => void
   const { t } = useTranslation();
   const text = useRehearsalText();
   const issueText = useIssueText();
+  const heightText = useHeightText();
   const issues = flownIssues(end);
   return (
     <>
       <p role="status">
         {text(end)} {end.answer.ok && issues.length === 0 && t("rehearsal.clean")}
       </p>
+      {doubtfulHeights(end).map((set) => (
+        <Notice key={set.name} level="warning">
+          {heightText(set)}
+        </Notice>
+      ))}
       <ul className="plans-rehearsal-found">
         {issues.map((issue) => (
           <li key={`${issue.code} ${issue.row}`}>

@@ -59,10 +59,22 @@ function newest(station: Station): FakeRequest {
 }
 
 /** The model flew the plan, and found this. */
-async function flown(station: Station, findings: readonly object[] = []): Promise<void> {
+async function flown(
+  station: Station,
+  findings: readonly object[] = [],
+  heights: readonly object[] = [],
+): Promise<void> {
   const asked = newest(station);
   expect(asked).toMatchObject({ method: "POST", path: "/api/v1/missions/rehearsal" });
-  await asked.answer({ time_s: 605, last: 3, ground: "none", fence: true, battery: false, findings });
+  await asked.answer({
+    time_s: 605,
+    last: 3,
+    ground: "none",
+    heights,
+    fence: true,
+    battery: false,
+    findings,
+  });
 }
 
 const sent = { plan: "flight", waypoints: [first, fresh, second, third] };
@@ -73,6 +85,15 @@ test("a board that is about to fly to the first waypoint gets the plan without a
   await press("send");
   await flown(station);
   expect(newest(station)).toMatchObject({ method: "PUT", path: "/api/v1/missions/flight" });
+});
+
+test("a plan judged by heights of which nobody said what they count from is sent only after a question", async () => {
+  const station = edited();
+  station.send({ fms_plan: { waypoint: 0 }, heartbeat: { autopilot: true } });
+  await press("send");
+  await flown(station, [], [{ name: "isla", datum: null, geoid_m: 42.1 }]);
+  expect(newest(station).path).toBe("/api/v1/missions/rehearsal");
+  expect(screen.getByRole("alertdialog").textContent).toContain("pueden estar mal en 138 ft");
 });
 
 test("a board that flies the plan gets another only after a question, and starts it again if that is chosen", async () => {
@@ -292,7 +313,15 @@ test("a plan with findings whose button has gone is not sent, and that is said",
   act(() => choose(station.page.settings, "test.hidden", "yes"));
   expect(screen.queryByRole("button", { name: "send" })).toBeNull();
   const findings = [{ code: "unreached", row: 1, params: {} }];
-  await asked.answer({ time_s: 605, last: 1, ground: "whole", fence: true, battery: true, findings });
+  await asked.answer({
+    time_s: 605,
+    last: 1,
+    ground: "whole",
+    heights: [],
+    fence: true,
+    battery: true,
+    findings,
+  });
   expect(station.asked).toHaveLength(1);
   expect(station.page.messages.getState().last).toMatchObject({
     level: "warning",

@@ -4,13 +4,14 @@ import { useTranslation } from "react-i18next";
 import { sameRow, type Waypoint } from "../lib/plan";
 import type { PlanFault } from "../lib/planCheck";
 import type { PlanName } from "../protocol/missions";
+import { useHeightText } from "../readouts/heightSets";
 import { useAsked } from "../requests/useAsked";
 import { usePage, usePart, useTelemetry } from "../store/hooks";
 import { Button } from "../ui/Button";
 import { ConfirmDialog } from "../ui/ConfirmDialog";
 import { hazardsOf, MISSIONS, usePlans } from "./planDrafts";
 import { PLAN } from "./planFacts";
-import { type FlownIssue, flownIssues, type RehearsalEnd } from "./rehearsal";
+import { doubtfulHeights, type FlownIssue, flownIssues, type RehearsalEnd } from "./rehearsal";
 import { useIssueText } from "./useIssueText";
 import { useRehearsal, useRehearsalText } from "./useRehearsal";
 
@@ -33,6 +34,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const { messages } = usePage();
   const issueText = useIssueText();
   const rehearsalText = useRehearsalText();
+  const heightText = useHeightText();
   const { isFlying, fly } = useRehearsal(plan);
   const control = `plan.upload.${plan}`;
   const { state, stateText } = useAsked(control);
@@ -77,7 +79,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
     const hazards = hazardsOf(missions.plans.getState()[plan]).filter(
       ({ code, row }) => !issues.some((issue) => issue.row === row && issue.code === FLOWN[code]),
     );
-    return [...hazards, ...issues].map(issueText);
+    return [...[...hazards, ...issues].map(issueText), ...doubtfulHeights(end).map(heightText)];
   }
 
   function send(goOnTo: number | null): void {

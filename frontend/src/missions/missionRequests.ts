@@ -3,6 +3,7 @@ import type { Status } from "../protocol/contract";
 import type { StreamEvent } from "../protocol/envelope";
 import { isCommandOutcome, isMission, isMissionImport, isMissionRehearsal } from "../protocol/guards.gen";
 import type { PlanName } from "../protocol/missions";
+import { heightMessage } from "../readouts/heightSets";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
 import { createAsking, info, type RequesterParts } from "../requests/asking";
@@ -103,7 +104,7 @@ export function createPlanActions(
         askAboutFile(plans, plan, question);
         return;
       }
-      await run(asker, Promise.resolve(asked), ({ waypoints, notes }) => {
+      await run(asker, Promise.resolve(asked), ({ waypoints, notes, heights }) => {
         takeImport(plans, plan, waypoints);
         const said = notes.map(({ code, params }) => ({
           level: "warning" as const,
@@ -111,7 +112,10 @@ export function createPlanActions(
           params: wordsOf(params),
           fallback: code,
         }));
-        notePlan(plans, plan, said);
+        const byHeights = heights.map((set) =>
+          heightMessage(set, (height_ft) => `${Math.round(height_ft)} ft`),
+        );
+        notePlan(plans, plan, [...said, ...byHeights]);
         const params = { file: source.name, ...span(waypoints) };
         return { state: "confirmed", message: info("plans.saidImported", params) };
       });

@@ -2,7 +2,7 @@ import type { Position } from "../lib/geodesy";
 import { METRES_PER_FOOT } from "../lib/units";
 import type { Wind } from "../lib/wind";
 import type { Answer } from "../protocol/answers";
-import type { MissionRehearsal, RehearsalFinding } from "../protocol/guards.gen";
+import type { HeightSet, MissionRehearsal, RehearsalFinding } from "../protocol/guards.gen";
 import type { PlanName } from "../protocol/missions";
 import { windNow } from "../readouts/wind";
 import type { Settings } from "../store/settings";
@@ -68,6 +68,11 @@ export function flownIssues({ answer }: RehearsalEnd): readonly FlownIssue[] {
         params,
       }))
     : [];
+}
+
+/** The sets of terrain by which the ground was judged, and of which nobody has said what their heights count from. */
+export function doubtfulHeights({ answer }: RehearsalEnd): readonly HeightSet[] {
+  return answer.ok ? answer.value.heights.filter(({ datum }) => datum === null) : [];
 }
 
 function startNow(telemetry: TelemetryStore, plan: PlanName, now_ms: number): RehearsalStart | null {

@@ -3,6 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../i18n/useSentence";
 import { formatFixed, formatHeading, formatMinutes } from "../lib/format";
 import type { PlanName } from "../protocol/missions";
+import { useHeightText } from "../readouts/heightSets";
 import { useUnit } from "../readouts/useUnit";
 import { usePage, usePart } from "../store/hooks";
 import { failureMessage } from "../store/messages";
@@ -27,11 +28,12 @@ export function useRehearsal(plan: PlanName) {
   return { isFlying, fly };
 }
 
-/** How a plan was flown, and what was not judged; or why it was not flown. */
+/** How a plan was flown, what was not judged, and the ground by which heights; or why it was not flown. */
 export function useRehearsalText(): (end: RehearsalEnd) => string {
   const { t } = useTranslation();
   const sentence = useSentence();
   const speed = useUnit("speed");
+  const heightText = useHeightText();
   return useCallback(
     ({ conditions, answer }) => {
       if (!answer.ok) {
@@ -53,11 +55,12 @@ export function useRehearsalText(): (end: RehearsalEnd) => string {
           speed: `${formatFixed(speed.convert(wind.speed_kt), 0)} ${speed.label}`,
         }),
       };
-      const flown = t("rehearsal.flown", words);
-      return missing.length === 0
-        ? flown
-        : `${flown} ${t("rehearsal.missing", { what: missing.join(", ") })}`;
+      return [
+        t("rehearsal.flown", words),
+        ...(missing.length === 0 ? [] : [t("rehearsal.missing", { what: missing.join(", ") })]),
+        ...answer.value.heights.filter(({ datum }) => datum !== null).map(heightText),
+      ].join(" ");
     },
-    [t, sentence, speed],
+    [t, sentence, speed, heightText],
   );
 }

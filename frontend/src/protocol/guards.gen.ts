@@ -70,6 +70,17 @@ export const isThreatAhead = shape({
 });
 export type ThreatAhead = Checked<typeof isThreatAhead>;
 
+/** A set of terrain by whose heights something was judged. `datum`: what they count from; null: nobody has said, and
+ * they are taken as heights above the sea. `geoid_m`: how high the sea (EGM96) is above the ellipsoid where it was
+ * judged, farthest from zero: ellipsoidal heights were converted by it, and those of an unknown datum may be wrong by
+ * it. */
+export const isHeightSet = shape({
+  datum: nullable(oneOf("orthometric", "ellipsoidal")),
+  geoid_m: isNumber,
+  name: isText,
+});
+export type HeightSet = Checked<typeof isHeightSet>;
+
 /** A place on the present track. */
 export const isTrackPlace = shape({
   latitude_deg: isNumber,
@@ -78,14 +89,14 @@ export const isTrackPlace = shape({
 export type TrackPlace = Checked<typeof isTrackPlace>;
 
 /** Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
- * there is a warning. `outside`: beyond the fence's border or over its ceiling. `datum_unknown`: nobody has said what
- * the heights of the ground here count from, so that they may be off by the geoid's height. */
+ * there is a warning. `outside`: beyond the fence's border or over its ceiling. `heights`: the sets of terrain that
+ * the ground's height below the aircraft is of. */
 export const isAircraftAround = shape({
   blind: nullable(oneOf("no_position", "no_heights", "no_heights_here")),
-  datum_unknown: isFlag,
   fence: nullable(isThreatAhead),
   ground_ft: nullable(isNumber),
   height_ft: nullable(isNumber),
+  heights: list(isHeightSet),
   outside: isFlag,
   path: list(isTrackPlace),
   terrain: nullable(isThreatAhead),
@@ -1404,9 +1415,11 @@ export const isMissionNote = shape({
 });
 export type MissionNote = Checked<typeof isMissionNote>;
 
-/** What was in the file. Nothing was sent to the board. */
+/** What was in the file. Nothing was sent to the board. `heights`: the sets of terrain by which its altitudes were
+ * converted or compared; empty if none was needed. */
 export const isMissionImport = shape({
   format: isText,
+  heights: list(isHeightSet),
   notes: list(isMissionNote),
   waypoints: list(isImportedWaypoint),
 });
@@ -1428,13 +1441,14 @@ export type RehearsalFinding = Checked<typeof isRehearsalFinding>;
 
 /** What came of the flight. `time_s`: until waypoint `last` was reached, or the flight ended on the way to it.
  *
- * What is not known was not judged: `ground` says how much of the heights below the flight is known, `fence` whether
- * there is one, `battery` whether its time was given. */
+ * What is not known was not judged: `ground` says how much of the heights below the flight is known and
+ * `heights` by which sets of terrain, `fence` whether there is one, `battery` whether its time was given. */
 export const isMissionRehearsal = shape({
   battery: isFlag,
   fence: isFlag,
   findings: list(isRehearsalFinding),
   ground: oneOf("whole", "part", "none"),
+  heights: list(isHeightSet),
   last: isNumber,
   time_s: isNumber,
 });

@@ -28,10 +28,22 @@ class ThreatAhead(Shape):
 
 
 @dataclass(frozen=True, slots=True)
+class HeightSet(Shape):
+    """A set of terrain by whose heights something was judged. `datum`: what they count from; null: nobody has said, and
+    they are taken as heights above the sea. `geoid_m`: how high the sea (EGM96) is above the ellipsoid where it was
+    judged, farthest from zero: ellipsoidal heights were converted by it, and those of an unknown datum may be wrong by
+    it."""
+
+    name: str
+    datum: Literal["orthometric", "ellipsoidal"] | None
+    geoid_m: float
+
+
+@dataclass(frozen=True, slots=True)
 class AircraftAround(Shape):
     """Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
-    there is a warning. `outside`: beyond the fence's border or over its ceiling. `datum_unknown`: nobody has said what
-    the heights of the ground here count from, so that they may be off by the geoid's height."""
+    there is a warning. `outside`: beyond the fence's border or over its ceiling. `heights`: the sets of terrain that
+    the ground's height below the aircraft is of."""
 
     blind: Literal["no_position", "no_heights", "no_heights_here"] | None = None
     ground_ft: float | None = None
@@ -39,7 +51,7 @@ class AircraftAround(Shape):
     terrain: ThreatAhead | None = None
     fence: ThreatAhead | None = None
     outside: bool = False
-    datum_unknown: bool = False
+    heights: list[HeightSet] = field(default_factory=list)
     path: list[TrackPlace] = field(default_factory=list)
 
 

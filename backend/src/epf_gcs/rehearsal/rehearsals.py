@@ -14,10 +14,11 @@ import orjson
 import structlog
 
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.surroundings import HeightSet
 from epf_gcs.errors import ConflictError
 from epf_gcs.rehearsal.findings import Bounds, Finding
 from epf_gcs.rehearsal.flight_model import Start, SteadyWind
-from epf_gcs.surroundings.ground import Ground, Tiles
+from epf_gcs.surroundings.ground import Ground, Tiles, merged
 from epf_gcs.units import ft_from_m
 from epf_gcs.workers.child import child
 
@@ -48,11 +49,12 @@ class RehearsalOrder:
 @dataclass(frozen=True, slots=True)
 class Rehearsal:
     """What came of it: `time_s` until waypoint `last` was reached, or could not be. `ground`: how much of the ground
-    below the flight is known; what is not known was not judged."""
+    below the flight is known; what is not known was not judged. `heights`: the sets of terrain that it is known by."""
 
     time_s: float
     last: int
     ground: GroundKnown
+    heights: list[HeightSet]
     findings: list[Finding]
 
 
@@ -91,21 +93,23 @@ class Rehearsals:
         pipe = asyncio.subprocess.PIPE
         async with child(sys.executable, "-m", _PROGRAM, stdin=pipe, stdout=pipe, limit=_LONGEST_LINE) as process:
             flown = await _ask(process, asdict(order))
-            ground_ft = await self._ground_ft(flown["places"])
+            ground_ft, heights = await self._ground_ft(flown["places"])
             done = (await _ask(process, {"ground_ft": ground_ft}))["done"]
         found = [Finding(one["code"], one["row"], one["params"]) for one in done["findings"]]
-        return Rehearsal(done["time_s"], done["last"], _known(ground_ft), found)
+        return Rehearsal(done["time_s"], done["last"], _known(ground_ft), heights, found)
 
-    async def _ground_ft(self, places_deg: Sequence[tuple[float, float]]) -> list[float | None]:
-        """Feet above the sea; None where not known."""
+    async def _ground_ft(self, places_deg: Sequence[tuple[float, float]]) -> tuple[list[float | None], list[HeightSet]]:
+        """Feet above the sea, None where not known; and the sets that they are of."""
         # Its own: the tiles around the aircraft that fly stay where they are.
         ground = Ground(self._tiles)
         found: list[float | None] = []
+        sets: list[HeightSet] = []
         for begin in range(0, len(places_deg), _AT_ONCE):
             latitude_deg, longitude_deg = np.array(places_deg[begin : begin + _AT_ONCE], dtype=np.float64).T
             heights_m = await ground.read(latitude_deg, longitude_deg)
             found += [None if math.isnan(height_m) else ft_from_m(height_m) for height_m in heights_m.tolist()]
-        return found
+            sets += ground.sets(latitude_deg, longitude_deg)
+        return found, merged(sets)
 
 
 async def _ask(process: asyncio.subprocess.Process, asked: dict[str, Any]) -> dict[str, Any]:

@@ -8,15 +8,17 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import OrderedDict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
+from epf_gcs.contract.surroundings import HeightSet
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS
 from epf_gcs.formats.quantized_mesh_reading import SIDE
+from epf_gcs.geoid import geoid_m
 from epf_gcs.maps.layer import Datum, Layer
 from epf_gcs.surroundings.motion import Vector
 
@@ -75,18 +77,29 @@ class Ground:
     def heights(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
         """Metres above the sea; NaN where not known, or not read yet."""
         found = np.full(latitude_deg.shape, np.nan)
+        for _ in self._fill(found, latitude_deg, longitude_deg):
+            pass
+        return found
+
+    def sets(self, latitude_deg: Vector, longitude_deg: Vector) -> list[HeightSet]:
+        """The sets that the heights at these places are of, the finest first."""
+        found = np.full(latitude_deg.shape, np.nan)
+        return [
+            HeightSet(layer.name, layer.datum, _farthest_geoid_m(latitude_deg[here], longitude_deg[here]))
+            for layer, here in self._fill(found, latitude_deg, longitude_deg)
+            if here.size
+        ]
+
+    def _fill(
+        self, found: Vector, latitude_deg: Vector, longitude_deg: Vector
+    ) -> Iterator[tuple[Layer, npt.NDArray[np.intp]]]:
+        """Fill in the heights that are known, and say which places each layer gave."""
         now_s = asyncio.get_running_loop().time()
         for layer in self._layers:
             missing = np.flatnonzero(np.isnan(found) & _covered(layer, latitude_deg, longitude_deg))
             if missing.size:
                 found[missing] = self._of_layer(layer, latitude_deg[missing], longitude_deg[missing], now_s)
-        return found
-
-    def has_unknown_datum(self, latitude_deg: Vector, longitude_deg: Vector) -> bool:
-        """Whether heights at one of these places may be of a set whose datum is not known."""
-        return any(
-            bool(_covered(layer, latitude_deg, longitude_deg).any()) for layer in self._layers if layer.datum is None
-        )
+                yield layer, missing[~np.isnan(found[missing])]
 
     async def read(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
         """The same as `heights`, once the tiles below have been read; NaN where the station knows no height."""
@@ -165,6 +178,21 @@ class Ground:
         self._held[key] = held
         while len(self._held) > _MOST_KEPT:
             self._held.popitem(last=False)
+
+
+def merged(sets: Sequence[HeightSet]) -> list[HeightSet]:
+    """One of each, with its geoid farthest from zero, in the order in which they came."""
+    farthest: dict[tuple[str, Datum | None], HeightSet] = {}
+    for one in sets:
+        before = farthest.setdefault((one.name, one.datum), one)
+        if abs(one.geoid_m) > abs(before.geoid_m):
+            farthest[one.name, one.datum] = one
+    return list(farthest.values())
+
+
+def _farthest_geoid_m(latitude_deg: Vector, longitude_deg: Vector) -> float:
+    heights_m = geoid_m(latitude_deg, longitude_deg)
+    return round(float(heights_m[np.argmax(np.abs(heights_m))]), 1)
 
 
 def _identity(layer: Layer) -> tuple[str, int, Datum | None]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from epf_gcs.contract.base import Values
 from epf_gcs.contract.notices import Notice, SurroundingsReport
-from epf_gcs.contract.surroundings import AircraftAround, SurroundingsState, ThreatAhead, TrackPlace
+from epf_gcs.contract.surroundings import AircraftAround, HeightSet, SurroundingsState, ThreatAhead, TrackPlace
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.repeating import repeat
 from epf_gcs.surroundings.aircraft import AircraftSurroundings, SurroundingsView, WatchChoice
@@ -99,11 +99,13 @@ class Surroundings:
         self._take(change)
         self.look()
 
-    async def ground_ft(self, places_deg: Sequence[tuple[float, float]]) -> list[float | None]:
-        """The ground's altitude below places of latitude and longitude, feet above the sea; None where not known."""
+    async def ground_ft(self, places_deg: Sequence[tuple[float, float]]) -> tuple[list[float | None], list[HeightSet]]:
+        """The ground's altitude below places of latitude and longitude, feet above the sea, None where not known; and
+        the sets that it is of."""
         latitude_deg, longitude_deg = np.array(places_deg, dtype=np.float64).reshape(-1, 2).T
         heights_m = await self._ground.read(latitude_deg, longitude_deg)
-        return [None if math.isnan(height_m) else ft_from_m(height_m) for height_m in heights_m.tolist()]
+        ground_ft = [None if math.isnan(height_m) else ft_from_m(height_m) for height_m in heights_m.tolist()]
+        return ground_ft, self._ground.sets(latitude_deg, longitude_deg)
 
     def state(self) -> SurroundingsState:
         """For the status: what was seen last."""
@@ -143,12 +145,9 @@ class Surroundings:
 
     def _shown(self, which: Which) -> AircraftAround:
         seen, fix = self._seen[which], self._aircraft[which].newest
-        datum_unknown = (
-            seen.ground_m is not None
-            and fix is not None
-            and self._ground.has_unknown_datum(np.array([fix.latitude_deg]), np.array([fix.longitude_deg]))
-        )
-        return _around(seen, datum_unknown=datum_unknown)
+        if seen.ground_m is None or fix is None:
+            return _around(seen, [])
+        return _around(seen, self._ground.sets(np.array([fix.latitude_deg]), np.array([fix.longitude_deg])))
 
     def _watched(self) -> list[str]:
         if self._is_unknown:
@@ -224,7 +223,7 @@ def _finding(name: str, which: Which, threat: Threat) -> dict[str, Any]:
     return {"id": name, "aircraft": which, "what": threat.what, "in_s": threat.in_s}
 
 
-def _around(seen: SurroundingsView, *, datum_unknown: bool) -> AircraftAround:
+def _around(seen: SurroundingsView, heights: list[HeightSet]) -> AircraftAround:
     path = seen.path
     every = slice(None, None, _PATH_EVERY)
     places = [] if path is None else zip(path.latitude_deg[every], path.longitude_deg[every], strict=True)
@@ -235,7 +234,7 @@ def _around(seen: SurroundingsView, *, datum_unknown: bool) -> AircraftAround:
         terrain=_threat(seen.terrain),
         fence=_threat(seen.fence),
         outside=seen.outside,
-        datum_unknown=datum_unknown,
+        heights=heights,
         path=[TrackPlace(float(north), float(east)) for north, east in places],
     )
 

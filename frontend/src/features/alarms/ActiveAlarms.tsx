@@ -3,8 +3,9 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatAge } from "../../lib/format";
 import { formatClock } from "../../lib/moment";
+import { useHeightText } from "../../readouts/heightSets";
 import { useAsked } from "../../requests/useAsked";
-import { usePage, usePart, useTelemetry } from "../../store/hooks";
+import { useConnection, usePage, usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { ALARM_LOG } from "./alarmLog";
@@ -17,6 +18,8 @@ import {
   useActiveAlarms,
   useEndedAlarms,
 } from "./useAlarms";
+
+const TERRAIN_AHEAD = "terrain_ahead";
 
 /** The active alarms, each with its advice. */
 export function ActiveAlarms() {
@@ -78,6 +81,7 @@ function Active({ alarm }: { alarm: AlarmView }) {
       <div className="alarms-item-text">
         <p className="alarms-item-title">{alarm.text}</p>
         <p className="alarms-item-advice">{advice}</p>
+        {alarm.id === TERRAIN_AHEAD && <HeightsOfWarning />}
         <p className="alarms-item-since">
           <span>{t("alarmLog.since", { clock: withCount(formatClock(alarm.since_s), alarm.count) })}</span>
           <Lasting alarm={alarm} />
@@ -98,6 +102,19 @@ function Active({ alarm }: { alarm: AlarmView }) {
       )}
     </li>
   );
+}
+
+/** By which heights the station warns of the ground. */
+function HeightsOfWarning() {
+  const heightText = useHeightText();
+  const surroundings = useConnection(({ status }) => status?.surroundings);
+  const warned = surroundings === undefined ? [] : [surroundings.flight, surroundings.hil];
+  const texts = warned.flatMap(({ terrain, heights }) => (terrain === null ? [] : heights.map(heightText)));
+  return [...new Set(texts)].map((text) => (
+    <p key={text} className="alarms-item-advice">
+      {text}
+    </p>
+  ));
 }
 
 /** Ended without being acknowledged: shown until somebody acknowledges it. */

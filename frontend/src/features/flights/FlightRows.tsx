@@ -35,7 +35,7 @@ export function FlightRows({ flights }: { readonly flights: readonly Flight[] })
   function onKeyDown(event: KeyboardEvent): void {
     const rows = [...(list.current?.querySelectorAll<HTMLElement>(".flights-pick") ?? [])];
     const at = rows.indexOf(event.target as HTMLElement);
-    const next = at === -1 ? null : moved(event.key, at, rows.length);
+    const next = at === -1 || event.shiftKey ? null : moved(event.key, at, rows.length);
     if (next !== null) {
       // The time bar has these keys too while nothing else uses them.
       event.preventDefault();

@@ -108,7 +108,15 @@ describe("a waypoint that is chosen", () => {
 
 describe("an edited plan", () => {
   /** The model that flies a plan before it is sent finds nothing. */
-  const clean = { time_s: 600, last: 2, ground: "whole", fence: true, battery: true, findings: [] };
+  const clean = {
+    time_s: 600,
+    last: 2,
+    ground: "whole",
+    heights: [],
+    fence: true,
+    battery: true,
+    findings: [],
+  };
 
   test("is sent, and is the board's only when that was read back", async () => {
     await downloaded();

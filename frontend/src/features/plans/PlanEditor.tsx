@@ -139,7 +139,7 @@ function TransferOutcome({ plan }: { plan: PlanName }) {
       {notes.length > 0 && (
         <Notice level="warning" onDismiss={() => notePlan(missions.plans, plan, [])}>
           {notes.map((note) => (
-            <p key={note.key}>{sentence(note)}</p>
+            <p key={`${note.key} ${note.params["name"] ?? ""}`}>{sentence(note)}</p>
           ))}
         </Notice>
       )}

@@ -46,7 +46,15 @@ function newest(method: string, path: RegExp): FakeRequest {
 /** Sends the plan; the model that flies it before finds nothing. */
 async function sendFlown(): Promise<void> {
   await user.click(button("Enviar a la placa"));
-  const clean = { time_s: 600, last: 2, ground: "whole", fence: true, battery: true, findings: [] };
+  const clean = {
+    time_s: 600,
+    last: 2,
+    ground: "whole",
+    heights: [],
+    fence: true,
+    battery: true,
+    findings: [],
+  };
   await newest("POST", /missions\/rehearsal$/).answer(clean);
 }
 
@@ -86,10 +94,18 @@ test("files are read by the gateway into the table, with what had to be supposed
   await choose("ruta 1.kml");
   const asked = newest("POST", /import/);
   expect(asked.path).toBe("/api/v1/missions/import?name=ruta%201.kml");
+  const heights = [
+    { name: "Gando", datum: "ellipsoidal", geoid_m: 43.9 },
+    { name: "isla", datum: null, geoid_m: 42.1 },
+  ];
   const notes = [{ code: "speed_missing", params: { count: 3, speed_kt: 55 } }];
-  await asked.answer({ format: "kml", waypoints: imported(null), notes });
+  await asked.answer({ format: "kml", waypoints: imported(null), notes, heights });
   expect(altitudes()).toEqual(["700", "1000", "1000"]);
   expect(document.body.textContent).toContain("3 waypoints sin velocidad en el archivo: se ha puesto 55 kt.");
+  expect(document.body.textContent).toContain("EGM96 las ha convertido en 144 ft, con un error de 3 ft");
+  expect(document.body.textContent).toContain(
+    "las alturas de isla, de las que nadie ha dicho desde dónde cuentan",
+  );
   expect(state()).toBe("plan de la placa aún sin leer");
   expect(station.asked).toHaveLength(1);
 });
@@ -111,7 +127,7 @@ test("files with heights above an unknown home ask how high it is, and each alti
   const asked = newest("POST", /import/);
   expect(asked.path).toBe("/api/v1/missions/import?name=casa.waypoints&home_ft=80");
   const origin = { frame: "home", height_ft: 620, reference_ft: 80 };
-  await asked.answer({ format: "waypoints", waypoints: imported(origin), notes: [] });
+  await asked.answer({ format: "waypoints", waypoints: imported(origin), notes: [], heights: [] });
   const words = "620 ft sobre el punto de partida, que está a 80 ft";
   expect(screen.getAllByText(words)).toHaveLength(3);
   // An altitude that was typed is its own.
@@ -157,7 +173,7 @@ test("files of a flown track ask before they become a plan, and are dropped with
   await user.click(button("Tomar 40 waypoints"));
   const asked = newest("POST", /import/);
   expect(asked.path).toBe("/api/v1/missions/import?name=vuelo.gpx&thin=true");
-  await asked.answer({ format: "gpx", waypoints: imported(null), notes: [] });
+  await asked.answer({ format: "gpx", waypoints: imported(null), notes: [], heights: [] });
   expect(altitudes()).toEqual(["700", "1000", "1000"]);
 });
 

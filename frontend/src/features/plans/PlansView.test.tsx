@@ -54,7 +54,15 @@ function newest(method: string, path: RegExp): FakeRequest {
 /** Sends the plan; the model that flies it before finds nothing. */
 async function sendFlown(): Promise<void> {
   await user.click(button("Enviar a la placa"));
-  const clean = { time_s: 600, last: 2, ground: "whole", fence: true, battery: true, findings: [] };
+  const clean = {
+    time_s: 600,
+    last: 2,
+    ground: "whole",
+    heights: [],
+    fence: true,
+    battery: true,
+    findings: [],
+  };
   await newest("POST", /missions\/rehearsal$/).answer(clean);
 }
 

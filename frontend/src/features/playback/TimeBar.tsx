@@ -48,13 +48,13 @@ export function TimeBar({ hasKeys }: { readonly hasKeys: boolean }) {
   );
 }
 
-/** Keys that work wherever the focus is: Esc and M; the others where nothing else has it. */
+/** Keys that work wherever the focus is: Esc, M and the speed with Shift; the others where nothing else has it. */
 function useTimeKeys(isPast: boolean, onMark: (() => void) | null, hasKeys: boolean): void {
   const playback = usePart(PLAYBACK);
   useEffect(() => {
     function press(event: KeyboardEvent): void {
       const action = event.defaultPrevented || isTyping(event.target) ? null : timeAction(event);
-      const isDone = action !== null && (action.do === "mark" ? mark(event) : move(action, event.target));
+      const isDone = action !== null && (action.do === "mark" ? mark(event) : move(action, event));
       if (isDone) {
         event.preventDefault();
       }
@@ -66,8 +66,10 @@ function useTimeKeys(isPast: boolean, onMark: (() => void) | null, hasKeys: bool
       }
       return canMark;
     }
-    function move(action: TimeAction, target: EventTarget | null): boolean {
-      const isFree = action.do === "now" || target === document.body;
+    function move(action: TimeAction, { target, shiftKey }: KeyboardEvent): boolean {
+      // A list has the arrows for itself, and leaves them to the speed where Shift is held.
+      const isOfList = !shiftKey || target instanceof HTMLInputElement;
+      const isFree = action.do === "now" || (action.do === "rate" && !isOfList) || target === document.body;
       return isPast && isFree && runInPast(playback, action);
     }
     window.addEventListener("keydown", press);

@@ -24,7 +24,7 @@ export const TIME_KEYS: ReadonlyArray<{
   { keys: ["Ctrl", "←", "→"], words: "tenSeconds" },
   { keys: ["PgUp", "PgDn"], words: "event" },
   { keys: ["Home", "End"], words: "ends" },
-  { keys: ["↑", "↓"], words: "rate" },
+  { keys: ["Shift", "↑", "↓"], words: "rate" },
   { keys: ["Shift", "M"], words: "mark" },
 ];
 

@@ -42,6 +42,7 @@ def test_a_plan_goes_out_and_comes_back(gateway: Gateway, format_name: str) -> N
         "format": "kml" if format_name == "kmz" else format_name,
         "waypoints": [{**waypoint, "origin": None} for waypoint in GANDO],
         "notes": [],
+        "heights": [],
     }
 
 
@@ -82,6 +83,7 @@ def test_a_foreign_file_comes_with_notes(gateway: Gateway) -> None:
             {"code": "altitude_missing", "params": {"count": 1, "altitude_ft": 1000.0}},
             {"code": "speed_missing", "params": {"count": 1, "speed_kt": 55.0}},
         ],
+        "heights": [],
     }
 
 
@@ -106,6 +108,7 @@ def test_heights_above_an_unknown_home_are_a_question_and_its_answer_reads_the_f
     assert first["altitude_ft"] == pytest.approx(80 + 100 / 0.3048, abs=1e-3)
     assert first["origin"] == {"frame": "home", "height_ft": pytest.approx(328.084, abs=1e-3), "reference_ft": 80.0}
     assert second["origin"] is None
+    assert found["heights"] == []
     assert gateway.http.post("/missions/import?name=x&home_ft=nan", content=text).status_code == 422
 
 
@@ -121,6 +124,9 @@ def test_heights_above_the_ground_are_read_by_the_stations_terrain_and_refused_b
     found = gateway.http.post(f"{path}&home_ft=80", content=RELATIVE.format(place=inside, frame=10)).json()
     assert found["waypoints"][1]["origin"]["reference_ft"] == pytest.approx(ground_ft, abs=1.0)
     assert found["waypoints"][1]["altitude_ft"] == pytest.approx(ground_ft + 60 / 0.3048, abs=1.0)
+    (judged_by,) = found["heights"]
+    assert (judged_by["name"], judged_by["datum"]) == ("field", None), "the set does not say what it counts from"
+    assert abs(judged_by["geoid_m"]) > 10.0, "and its heights may be wrong by this"
     unknown = f"{SOUTH + SIZE_DEG / 2}\t{WEST + SIZE_DEG * 0.9}"
     refused = gateway.http.post(f"{path}&home_ft=80", content=RELATIVE.format(place=unknown, frame=10)).json()
     assert (refused["code"], refused["params"]["nth"]) == ("mission_file_above_ground", 3)

@@ -1,5 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { useFlownAircraft } from "../../../readouts/flownAircraft";
+import { useHeightText } from "../../../readouts/heightSets";
 import { useUnit } from "../../../readouts/useUnit";
 import { useConnection } from "../../../store/hooks";
 
@@ -7,6 +8,7 @@ import { useConnection } from "../../../store/hooks";
 export function AroundNow() {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
+  const heightText = useHeightText();
   const aircraft = useFlownAircraft();
   const around = useConnection(({ phase, status }) =>
     phase === "open" && status !== null ? status.surroundings[aircraft] : null,
@@ -24,7 +26,11 @@ export function AroundNow() {
   return (
     <div className="map-around-now" role="status">
       <p>{t("map.around.height", { name, height: written(around.height_ft) })}</p>
-      {around.datum_unknown && <p data-level="blind">{t("map.layers.datumOff")}</p>}
+      {around.heights.map((set) => (
+        <p key={set.name} data-level={set.datum === null ? "blind" : undefined}>
+          {heightText(set)}
+        </p>
+      ))}
       {threats.map(({ what, in_s }) => (
         <p key={what} data-level="warned">
           {t(`mapAhead.${what}`, { seconds: Math.round(in_s) })}

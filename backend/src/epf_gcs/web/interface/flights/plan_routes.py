@@ -34,4 +34,4 @@ async def get_flight_plan(
     flight, growing = await which(flight_id, flights)
     answer = await queries.ask(PathQuestion(flight, growing, source, MAX_WAYPOINTS))
     path = msgspec.json.decode(answer, type=FlownPath)
-    return MissionImport.of(settle_plan(flight, plan_of_path(flight, path, thin=thin)))
+    return MissionImport.of(settle_plan(flight, plan_of_path(flight, path, thin=thin)), [])

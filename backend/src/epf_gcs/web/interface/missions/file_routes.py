@@ -92,8 +92,8 @@ async def import_mission(
     plan = await asyncio.to_thread(read_plan_file, named, await request.body(), thin=thin, first=first)
     on_earth = all(abs(at.latitude_deg) <= 90 and abs(at.longitude_deg) <= 180 for at in plan.points)
     places = [(at.latitude_deg, at.longitude_deg) for at in plan.points[: MAX_WAYPOINTS + 1]]
-    ground_ft = await surroundings.ground_ft(places) if on_earth else []
-    return MissionImport.of(settle_plan(named, plan, ground_ft, home_ft))
+    ground_ft, heights = await surroundings.ground_ft(places) if on_earth else ([], [])
+    return MissionImport.of(settle_plan(named, plan, ground_ft, home_ft), heights)
 
 
 def attachment(name: str, extension: str) -> str:

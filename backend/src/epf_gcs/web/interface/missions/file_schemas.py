@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from collections.abc import Sequence
+from typing import Annotated, Final, Literal, Self
 
 from fastapi import Query
 from pydantic import Field
 
 from epf_gcs.contract.shapes import Output, ParamValue
+from epf_gcs.contract.surroundings import HeightSet
 from epf_gcs.formats.mission_file import Format, MissionFile, NoteCode
 from epf_gcs.web.interface.missions.schemas import MissionInput
+
+_BY_THE_GROUND: Final = frozenset({"altitude_from_ground", "home_off_ground"})
 
 Thinned = Annotated[bool, Query(description="Read a flown track as a plan of few waypoints; else it is refused.")]
 
@@ -58,15 +62,17 @@ class ImportedWaypoint(Output):
 
 
 class MissionImport(Output):
-    """What was in the file. Nothing was sent to the board."""
+    """What was in the file. Nothing was sent to the board. `heights`: the sets of terrain by which its altitudes were
+    converted or compared; empty if none was needed."""
 
     format: Format
     waypoints: list[ImportedWaypoint]
     notes: list[MissionNote]
+    heights: list[HeightSet]
 
     @classmethod
-    def of(cls, found: MissionFile) -> Self:
-        """A plan that was read."""
+    def of(cls, found: MissionFile, heights: Sequence[HeightSet]) -> Self:
+        """A plan that was read. `heights`: what the ground below its waypoints is known by."""
         return cls(
             format=found.format,
             waypoints=[
@@ -80,4 +86,5 @@ class MissionImport(Output):
                 for waypoint, origin in zip(found.waypoints, found.origins, strict=True)
             ],
             notes=[MissionNote(code=note.code, params=note.params) for note in found.notes],
+            heights=list(heights) if any(note.code in _BY_THE_GROUND for note in found.notes) else [],
         )

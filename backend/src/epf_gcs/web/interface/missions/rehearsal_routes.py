@@ -42,6 +42,7 @@ async def rehearse_mission(
         time_s=done.time_s,
         last=done.last,
         ground=done.ground,
+        heights=done.heights,
         fence=bool(choice.corners) or choice.ceiling_ft is not None,
         battery=body.endurance_min is not None,
         findings=[RehearsalFinding(**one._asdict()) for one in done.findings],

@@ -7,6 +7,7 @@ from typing import Self
 from pydantic import Field, model_validator
 
 from epf_gcs.contract.shapes import Input, Output
+from epf_gcs.contract.surroundings import HeightSet
 from epf_gcs.rehearsal.findings import FindingCode
 from epf_gcs.rehearsal.rehearsals import GroundKnown
 from epf_gcs.web.interface.missions.schemas import MissionInput
@@ -65,13 +66,14 @@ class RehearsalFinding(Output):
 class MissionRehearsal(Output):
     """What came of the flight. `time_s`: until waypoint `last` was reached, or the flight ended on the way to it.
 
-    What is not known was not judged: `ground` says how much of the heights below the flight is known, `fence` whether
-    there is one, `battery` whether its time was given.
+    What is not known was not judged: `ground` says how much of the heights below the flight is known and
+    `heights` by which sets of terrain, `fence` whether there is one, `battery` whether its time was given.
     """
 
     time_s: float
     last: int
     ground: GroundKnown
+    heights: list[HeightSet]
     fence: bool
     battery: bool
     findings: list[RehearsalFinding]
