@@ -24,6 +24,7 @@ export function LeftPanel() {
         <ReadoutPanel
           {...ATTITUDE}
           titleKey="left.ahrs"
+          hintKey="termHint.ahrs"
           className="left-ahrs"
           size="large"
           chars={5}

@@ -24,15 +24,24 @@ export function ReadoutTable({ columns, ...rest }: TableProps) {
 /** A panel with the readouts of one stream. */
 export type ReadoutGroup = TableProps & {
   titleKey: ParseKeys;
+  hintKey?: ParseKeys;
   className: string;
   narrow?: boolean;
   plain?: boolean;
 };
 
-export function ReadoutPanel({ titleKey, className, narrow = false, plain = false, ...table }: ReadoutGroup) {
+export function ReadoutPanel(props: ReadoutGroup) {
+  const { titleKey, hintKey, className, narrow = false, plain = false, ...table } = props;
   const { t } = useTranslation();
   return (
-    <StreamPanel topic={table.topic} title={t(titleKey)} className={className} narrow={narrow} plain={plain}>
+    <StreamPanel
+      topic={table.topic}
+      title={t(titleKey)}
+      hint={hintKey === undefined ? undefined : t(hintKey)}
+      className={className}
+      narrow={narrow}
+      plain={plain}
+    >
       <ReadoutTable {...table} />
     </StreamPanel>
   );

@@ -15,6 +15,7 @@ import { STREAMS } from "./streams";
 interface Props {
   topic: TopicName;
   title: string;
+  hint?: string | undefined;
   level?: 2 | 3;
   className?: string;
   /** Without the rate, for a narrow panel. */
@@ -25,11 +26,13 @@ interface Props {
 }
 
 /** A panel for one stream: its freshness, and a switch if it is off. */
-export function StreamPanel({ topic, title, level, className, narrow = false, plain, children }: Props) {
+export function StreamPanel(props: Props) {
+  const { topic, title, hint, level, className, narrow = false, plain, children } = props;
   const isOff = useStreamIsOff(topic);
   return (
     <Panel
       title={title}
+      hint={hint}
       level={level}
       className={className}
       plain={plain}

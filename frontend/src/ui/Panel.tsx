@@ -3,6 +3,8 @@ import "./Panel.css";
 
 interface Props {
   title: string;
+  /** What a title that is a term of the board means: shown at the pointer. */
+  hint?: string | undefined;
   level?: 2 | 3 | undefined;
   /** State of the stream behind the panel: a StreamBadge. */
   badge?: ReactNode;
@@ -15,7 +17,8 @@ interface Props {
 }
 
 /** A titled group of readings or controls, like a placard of an instrument panel. */
-export function Panel({ title, level = 2, badge, actions, className, plain = false, children }: Props) {
+export function Panel(props: Props) {
+  const { title, hint, level = 2, badge, actions, className, plain = false, children } = props;
   const heading = useId();
   const Heading = level === 2 ? "h2" : "h3";
   const Root = plain ? "div" : "section";
@@ -26,7 +29,7 @@ export function Panel({ title, level = 2, badge, actions, className, plain = fal
       aria-labelledby={heading}
     >
       <header className="ui-panel-head">
-        <Heading id={heading} className="ui-panel-title">
+        <Heading id={heading} className="ui-panel-title" title={hint}>
           {title}
         </Heading>
         <span className="ui-panel-rule" aria-hidden="true" />

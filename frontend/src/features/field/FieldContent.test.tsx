@@ -52,13 +52,13 @@ function newest(station: Station, method: string, path: string): FakeRequest {
   return found;
 }
 
-async function opened(fields: readonly object[]): Promise<Station> {
+async function opened(fields: readonly object[], sources: readonly object[] = [SOURCE]): Promise<Station> {
   const station = new Station();
   station.greet();
   await user.click(screen.getByRole("menuitem", { name: "Ver" }));
   await user.click(await screen.findByRole("menuitem", { name: "Preparar un campo…" }));
   await screen.findByRole("dialog", { name: "Preparar un campo" });
-  await newest(station, "GET", FIELDS).answer({ fields, sources: [SOURCE] });
+  await newest(station, "GET", FIELDS).answer({ fields, sources });
   return station;
 }
 
@@ -134,4 +134,18 @@ test("a place that was pointed at on the map opens the window around it, and the
   expect(place.value).toBe("27.930000 -15.420000");
   await user.keyboard("{Escape}");
   expect(wishes.getState().wish).toBeNull();
+});
+
+test("the set that is ready for a place says what it takes before it is chosen, and one press chooses it", async () => {
+  const world = { ...SOURCE, id: "terrain-tiles", kind: "heights", name: "Terrain Tiles", usual_zoom: 12 };
+  const station = await opened([], [SOURCE, world]);
+  await user.type(await screen.findByRole("textbox", { name: "Coordenadas" }), "27.93, -15.38{Enter}");
+  await newest(station, "POST", `${FIELDS}/estimate`).answer(ESTIMATE);
+  expect(await screen.findByText(/^Unas 900 piezas/)).toBeTruthy();
+  await user.click(screen.getByRole("button", { name: "Elegir el juego listo para este sitio" }));
+  expect(newest(station, "POST", `${FIELDS}/estimate`).body).toMatchObject({
+    name: "27.930, -15.380",
+    parts: [{ kind: "heights", name: "Terrain Tiles", maximum_zoom: 12 }],
+  });
+  expect(screen.queryByRole("button", { name: "Elegir el juego listo para este sitio" })).toBeNull();
 });

@@ -18,8 +18,8 @@ import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
-import { type Draft, KINDS, newDraft, orderOf } from "./draft";
-import { FIELD } from "./field";
+import { type Draft, KINDS, newDraft, orderOf, readyDraft } from "./draft";
+import { FIELD, type FieldOrder } from "./field";
 import { SourceChoice } from "./SourceChoice";
 
 const CONTROL = "field.prepare";
@@ -49,11 +49,11 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
   );
   const plan = draft.where === "circle" ? [] : plans[draft.where];
   const order = orderOf(draft, plan, sources);
-  const asked = JSON.stringify(order);
+  const ready = readyDraft(draft, sources);
+  const readyOrder = useLook(order, ready, plan, sources);
   // Terms are accepted for the sources that were shown: other ones are other terms.
   const terms = JSON.stringify(order?.parts.map(({ url }) => url));
   const isAccepted = accepted === terms;
-  useEffect(() => void field.look(JSON.parse(asked)), [field, asked]);
 
   function edit(change: Partial<Draft>): void {
     setDraft((before) => ({ ...before, ...change }));
@@ -101,6 +101,7 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
         unit={t("unit.km")}
         onCommit={(radius_km) => edit({ radius_km })}
       />
+      <ReadySet ready={ready} canTake={readyOrder !== null} onTake={setDraft} />
       {KINDS.map((kind) => (
         <SourceChoice
           key={kind}
@@ -110,7 +111,7 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
           onChange={(part) => edit({ parts: { ...draft.parts, [kind]: part } })}
         />
       ))}
-      <Estimate />
+      {ready === null && <Estimate />}
       <Checkbox
         label={t("field.accept")}
         checked={isAccepted}
@@ -132,6 +133,42 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
       </Button>
       {state === "rejected" && <Notice level="error">{stateText}</Notice>}
     </section>
+  );
+}
+
+/** Asks what the order takes, or what the ready set would while nothing is ordered. Returns that set's order. */
+function useLook(
+  order: FieldOrder | null,
+  ready: Draft | null,
+  plan: readonly Position[],
+  sources: readonly FieldSource[],
+): FieldOrder | null {
+  const field = usePart(FIELD);
+  const readyOrder = ready === null ? null : orderOf(ready, plan, sources);
+  const asked = JSON.stringify(order ?? readyOrder);
+  useEffect(() => void field.look(JSON.parse(asked)), [field, asked]);
+  return readyOrder;
+}
+
+/** A set of sources for any place, with what it takes before it is chosen. */
+function ReadySet(props: {
+  readonly ready: Draft | null;
+  readonly canTake: boolean;
+  readonly onTake: (ready: Draft) => void;
+}) {
+  const { ready, canTake, onTake } = props;
+  const { t } = useTranslation();
+  if (ready === null) {
+    return null;
+  }
+  return (
+    <div className="field-ready">
+      <Button onPress={() => onTake(ready)} disabledReason={canTake ? undefined : t("field.noPlace")}>
+        {t("field.ready")}
+      </Button>
+      <p className="field-hint">{t("field.readyHint")}</p>
+      {canTake && <Estimate />}
+    </div>
   );
 }
 

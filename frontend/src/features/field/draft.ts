@@ -41,6 +41,28 @@ export function newDraft(centre: Position | null, name: string): Draft {
   };
 }
 
+/** Sources of the whole world that together are enough to fly by. */
+const READY: Partial<Readonly<Record<Kind, string>>> = { heights: "terrain-tiles", imagery: "sentinel2" };
+
+/** The draft with the set that is ready for any place; null if something is chosen, or the station offers none of it. */
+export function readyDraft(draft: Draft, sources: readonly FieldSource[]): Draft | null {
+  const found = sources.filter(({ id, kind }) => READY[kind] === id);
+  if (found.length === 0 || KINDS.some((kind) => draft.parts[kind].source !== NONE)) {
+    return null;
+  }
+  const parts = { ...draft.parts };
+  for (const { id, kind, usual_zoom } of found) {
+    parts[kind] = { ...parts[kind], source: id, zoom: usual_zoom };
+  }
+  return { ...draft, name: draft.name.trim() === "" ? placeName(draft) : draft.name, parts };
+}
+
+function placeName({ where, centre }: Draft): string {
+  return where !== "circle" || centre === null
+    ? "plan"
+    : `${centre.latitude_deg.toFixed(3)}, ${centre.longitude_deg.toFixed(3)}`;
+}
+
 /** The order, as soon as it is one: a name, a place, and a source for at least one kind. */
 export function orderOf(
   draft: Draft,

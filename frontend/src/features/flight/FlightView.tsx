@@ -52,7 +52,14 @@ const SENSORS: readonly ReadoutGroup[] = [
 export function FlightView({ servosOut }: { servosOut: ReactNode }) {
   return (
     <div className="flight">
-      <ReadoutPanel {...ATTITUDE} titleKey="flight.ahrs" className="flight-ahrs" size="large" chars={6} />
+      <ReadoutPanel
+        {...ATTITUDE}
+        titleKey="flight.ahrs"
+        hintKey="termHint.ahrs"
+        className="flight-ahrs"
+        size="large"
+        chars={6}
+      />
       <StateReport />
       <div className="flight-gps">
         <GpsTabs />

@@ -25,6 +25,7 @@ export function StateReport() {
   return (
     <Panel
       title={t("flight.state")}
+      hint={t("termHint.state")}
       className="flight-state"
       badge={<LiveBadge topic="heartbeat" />}
       actions={<CommandButton command="read_all">{t("flight.readAll")}</CommandButton>}

@@ -60,7 +60,6 @@ export function MapView() {
               {isFlat ? <FlatMap onScene={setScene} /> : <MapCorner />}
               <div className="map-over">
                 <EditBar />
-                <ThingCard />
               </div>
               <FlightFigures />
               <SurroundingsOnMap />
@@ -74,6 +73,7 @@ export function MapView() {
             </section>
           </div>
           <div className="map-side">
+            <ThingCard />
             <FieldOffer />
             <CameraSection />
             <ThingsSection />

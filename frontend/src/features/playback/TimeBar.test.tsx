@@ -294,17 +294,6 @@ describe("the playback", () => {
     ]);
   });
 
-  test("leaves the arrows to a list that has the focus, and takes them with Shift for the speed", () => {
-    const station = inThePast();
-    const list = document.createElement("button");
-    document.body.append(list);
-    press("ArrowUp", {}, list);
-    expect(station.replay.asked.slice(1)).toEqual([]);
-    press("ArrowUp", { shiftKey: true }, list);
-    list.remove();
-    expect(station.replay.asked.at(-1)).toMatchObject({ rate: 2 });
-  });
-
   test("leaves the keys to a field in which somebody types, and to a button its space", () => {
     const station = inThePast();
     const before = station.replay.asked.length;

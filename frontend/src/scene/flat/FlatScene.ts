@@ -1,5 +1,6 @@
 import type { PickedAirfield } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
+import type { LabelBox } from "../../lib/labels";
 import type { TrackPoints } from "../../lib/track/trackPoints";
 import { AREA } from "../colours";
 import type { CompassLetters } from "../globe/chart/graticule";
@@ -95,6 +96,7 @@ export class FlatScene {
   #measured: readonly MarkedPlace[] = [];
   #area: readonly MarkedPlace[] = [];
   #isAiming = false;
+  #covered: readonly LabelBox[] = [];
   /** What is to be shown once the canvas has a size. */
   #awaited: readonly Position[] | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
@@ -141,6 +143,12 @@ export class FlatScene {
     } else if (!isSame || this.#contents.tracks.some(({ points }) => this.#trackOf(points).hasNews)) {
       this.#change();
     }
+  }
+
+  /** What lies over the picture, CSS pixels from its upper left corner: no text is put there. */
+  setCovered(covered: readonly LabelBox[]): void {
+    this.#covered = covered;
+    this.#change();
   }
 
   /** Whether a tap on the ground puts something there: the pointer shows it. */
@@ -297,7 +305,7 @@ export class FlatScene {
     for (const aircraft of this.#aircraft) {
       drawAircraft(context, this.#view, aircraft, words);
     }
-    words.paint(context, this.#sheet, this.#view.width_px, this.#view.height_px, ratio);
+    words.paint(context, this.#sheet, this.#view.width_px, this.#view.height_px, ratio, this.#covered);
   }
 
   /** What the ground's things are called. */

@@ -44,3 +44,14 @@ test("a word stays on its side when another comes", () => {
   written(["Casa", "Real"], sheet);
   expect([...sheet.placed.values()][0]).toEqual(before);
 });
+
+test("no word stands where buttons and sources cover the map", () => {
+  const covered = { left: 300, top: 200, right: 500, bottom: 330 };
+  const words = new Words();
+  words.write("3 · 1000 ft", { x: 400, y: 300 }, 8, "#fff");
+  const sheet = new LabelSheet(letters);
+  words.paint(context, sheet, 800, 600, 1, [covered]);
+  const [placed] = [...sheet.placed.values()];
+  if (placed === undefined) throw new Error("the word is not shown");
+  expect(meets(placed.box, covered)).toBe(false);
+});

@@ -1,3 +1,4 @@
+import type { LabelBox } from "../../lib/labels";
 import type { LabelSheet, ShownText } from "../labels/LabelSheet";
 import { FLIGHT_RANK } from "../lettering";
 import type { ScreenPoint } from "./projection";
@@ -36,8 +37,9 @@ export class Words {
     width_px: number,
     height_px: number,
     ratio: number,
+    covered: readonly LabelBox[] = [],
   ): void {
-    sheet.arrange(this.#texts, width_px, height_px, ratio);
+    sheet.arrange(this.#texts, width_px, height_px, ratio, covered);
     sheet.paint(context);
   }
 }

@@ -37,15 +37,22 @@ export class LabelSheet {
     this.#sprites = sprites;
   }
 
-  /** Choose and place the texts of the next picture, of this size in CSS pixels. */
-  arrange(texts: readonly ShownText[], width_px: number, height_px: number, ratio: number): void {
+  /** Choose and place the texts of the next picture, of this size in CSS pixels; none lies in the boxes that are `covered`. */
+  arrange(
+    texts: readonly ShownText[],
+    width_px: number,
+    height_px: number,
+    ratio: number,
+    covered: readonly LabelBox[] = [],
+  ): void {
     const near = texts.filter(
       ({ at }) =>
         at.x > -MARGIN_PX && at.y > -MARGIN_PX && at.x < width_px + MARGIN_PX && at.y < height_px + MARGIN_PX,
     );
     const wanted = near.map((text): WantedLabel => ({ ...text, ...this.#sprites.sizeOf(text, ratio) }));
     // No name lies over an aircraft or a waypoint.
-    const taken = near.filter(({ isSought }) => isSought).map(({ at }) => markBox(at));
+    const marks = near.filter(({ isSought }) => isSought).map(({ at }) => markBox(at));
+    const taken = [...marks, ...covered];
     this.#placed = placeLabels(wanted, this.#placed, taken, {
       left: 0,
       top: 0,

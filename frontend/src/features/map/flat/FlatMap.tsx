@@ -19,6 +19,7 @@ import { useHome } from "../aircraft/useHome";
 import { useMapPlan } from "../plan/useMapPlan";
 import { FOLLOW_CHOICE } from "../scenes/useFlat";
 import { usePickAirfield } from "../scenes/useGroundNames";
+import { useCovered } from "./useCovered";
 import { useFlatContents } from "./useFlatContents";
 import { useFlatScene } from "./useFlatScene";
 import "../tools/tools.css";
@@ -76,6 +77,7 @@ export function FlatMap({ onScene, followChoice = FOLLOW_CHOICE, only }: Props) 
     return () => onScene(null);
   }, [scene, onScene]);
   useAircraft(scene, isFollowing, only);
+  useCovered(canvas, scene);
   return (
     <>
       <div
