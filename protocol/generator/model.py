@@ -22,6 +22,7 @@ UNIT_SUFFIXES: Mapping[str, str] = {
     "V": "v",
     "%": "percent",
     "ms": "ms",
+    "s": "s",
 }
 """Closed list of units, each with the suffix that it adds to the name of a quantity."""
 

@@ -93,6 +93,7 @@ def test_text_ends_at_the_first_zero_and_unprintable_text_is_no_data() -> None:
         "has_sources": False,
         "has_missions": True,
         "has_card_alarm": False,
+        "has_hil_steps": False,
         "firmware_name": "epf-board",
         "firmware_version": "1.2.0",
         "uptime_ms": 1234,

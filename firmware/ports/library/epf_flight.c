@@ -54,6 +54,7 @@ void epf_flight_free(flight_t* flight)
 void epf_flight_advance(flight_t* flight, uint32_t elapsed_ms)
 {
     flight->now_ms += elapsed_ms;
+    board_supervise_hil(&flight->board, flight->now_ms);
     while (board_tick(&flight->board, flight->now_ms))
     {
     }

@@ -18,7 +18,8 @@ void epf_flight_free(flight_t* flight);
 /// the rest comes with the next call (`size` may be 0). Returns the bytes written to `out`.
 size_t epf_flight_feed(flight_t* flight, const uint8_t* in, size_t size, uint8_t* out, size_t capacity);
 
-/// Advance the time by `elapsed_ms` and send what is due by the clock: status, a plan being read back.
+/// Advance the time by `elapsed_ms` and do what is due by the clock: status, a plan being read back, and what the
+/// failsafe of a silent simulator says.
 void epf_flight_advance(flight_t* flight, uint32_t elapsed_ms);
 
 /// Send the streams of one task that are on: 0 parameters, 1 FMS, 2 servos.

@@ -412,6 +412,18 @@ void message_mission_count_unpack(message_mission_count_t* const values, const u
     values->count = protocol_get_i32(payload + 4);
 }
 
+void message_hil_step_pack(const message_hil_step_t* const values, uint8_t* const payload)
+{
+    protocol_put_u32(payload + 0, values->time_ms);
+    protocol_put_f32(payload + 4, values->step_s);
+}
+
+void message_hil_step_unpack(message_hil_step_t* const values, const uint8_t* const payload)
+{
+    values->time_ms = protocol_get_u32(payload + 0);
+    values->step_s = protocol_get_f32(payload + 4);
+}
+
 void command_set_parameter_task_rate_pack(const command_set_parameter_task_rate_t* const values, uint8_t* const payload)
 {
     protocol_put_i32(payload + 0, values->period_ms);
@@ -594,6 +606,7 @@ int32_t protocol_telemetry_size(const uint32_t id)
         return 4;
     case MESSAGE_ACKNOWLEDGEMENT_ID:
     case MESSAGE_MISSION_COUNT_ID:
+    case MESSAGE_HIL_STEP_ID:
         return 8;
     case MESSAGE_HEARTBEAT_ID:
     case MESSAGE_AHRS_ID:
@@ -669,6 +682,7 @@ int32_t protocol_command_size(const uint32_t id)
     case COMMAND_LOAD_AUTOPILOT_PARAMETERS_ID:
     case COMMAND_CAPABILITIES_ID:
     case COMMAND_STORE_PARAMETERS_ID:
+    case COMMAND_HIL_STEPS_ON_ID:
         return 0;
     case COMMAND_SET_PARAMETER_TASK_RATE_ID:
     case COMMAND_SET_FMS_TASK_RATE_ID:

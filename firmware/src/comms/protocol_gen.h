@@ -66,6 +66,8 @@ void protocol_put_f64(uint8_t* out, double value);
 #define MESSAGE_MISSION_ITEM_SIZE 32u
 #define MESSAGE_MISSION_COUNT_ID 0x104u
 #define MESSAGE_MISSION_COUNT_SIZE 8u
+#define MESSAGE_HIL_STEP_ID 0x105u
+#define MESSAGE_HIL_STEP_SIZE 8u
 
 // PC to board.
 #define COMMAND_DO_NOTHING_ID 0u
@@ -210,6 +212,8 @@ void protocol_put_f64(uint8_t* out, double value);
 #define COMMAND_MISSION_READ_SIZE 4u
 #define COMMAND_GO_TO_WAYPOINT_ID 0x108u
 #define COMMAND_GO_TO_WAYPOINT_SIZE 8u
+#define COMMAND_HIL_STEPS_ON_ID 0x109u
+#define COMMAND_HIL_STEPS_ON_SIZE 0u
 
 #define MESSAGE_HEARTBEAT_BIT_AUTOPILOT_HIL 1
 #define MESSAGE_HEARTBEAT_BIT_SOURCE_JOYSTICK 2
@@ -398,11 +402,12 @@ void message_autopilot_parameters_unpack(message_autopilot_parameters_t* values,
 #define MESSAGE_CAPABILITIES_BIT_HAS_SOURCES 4
 #define MESSAGE_CAPABILITIES_BIT_HAS_MISSIONS 8
 #define MESSAGE_CAPABILITIES_BIT_HAS_CARD_ALARM 16
+#define MESSAGE_CAPABILITIES_BIT_HAS_HIL_STEPS 32
 /// Answer to the command capabilities.
 typedef struct
 {
     int32_t protocol_version; ///< Version of the extensions; 1.
-    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again.
+    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again. Bit 5: The times of the steps of the HIL loop can be told (hil_steps_on).
     char firmware_name[16]; ///< Name of the firmware, zero padded.
     char firmware_version[16]; ///< Version of the firmware, zero padded.
     int32_t uptime_ms; ///< Time since the board started. [ms]
@@ -478,6 +483,16 @@ typedef struct
 
 void message_mission_count_pack(const message_mission_count_t* values, uint8_t* payload);
 void message_mission_count_unpack(message_mission_count_t* values, const uint8_t* payload);
+
+/// When and by how much the HIL loop was stepped; after each hil_surfaces, from hil_steps_on until the line is opened again. With it a recording can be flown again to the last bit.
+typedef struct
+{
+    uint32_t time_ms; ///< The board's clock when it took the command 50 which hil_surfaces answered. [ms]
+    float step_s; ///< Time that the laws integrated; 0 for a repeat, a refused command, and a step after a pause. [s]
+} message_hil_step_t;
+
+void message_hil_step_pack(const message_hil_step_t* values, uint8_t* payload);
+void message_hil_step_unpack(message_hil_step_t* values, const uint8_t* payload);
 
 #define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_MINIMUM 20
 #define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_MAXIMUM 10000

@@ -47,6 +47,7 @@ void board_init(board_t* board, const board_config_t* config)
 void board_open(board_t* board, uint32_t now_ms)
 {
     board->station.is_extended = false;
+    board->station.wants_steps = false;
     board->station.status_ms = now_ms;
     board_plans_stop_reading(&board->plans);
 }

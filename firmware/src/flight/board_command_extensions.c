@@ -15,6 +15,14 @@ command_result_t run_tell_capabilities(void* context, int32_t argument, const ui
     return command_done;
 }
 
+command_result_t run_tell_steps(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    (void)payload;
+    board_of(context)->station.wants_steps = true;
+    return command_done;
+}
+
 command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;

@@ -7,6 +7,7 @@
 #include "comms/command.h"
 
 command_result_t run_tell_capabilities(void* context, int32_t argument, const uint8_t* payload);
+command_result_t run_tell_steps(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_select_airspeed(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_select_altitude(void* context, int32_t argument, const uint8_t* payload);

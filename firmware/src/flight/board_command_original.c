@@ -101,11 +101,15 @@ command_result_t run_take_xplane_info(void* context, int32_t argument, const uin
     command_xplane_info_t info;
     command_xplane_info_unpack(&info, payload);
     board_t* const board = board_of(context);
-    const bool is_flown =
-        hil_loop_step(&board->hil, &board->measured, &board->tuning.gains, &board->plans.plan[board_plan_hil], &info,
-                      ((board_command_context_t*)context)->now_ms);
+    const uint32_t now_ms = ((board_command_context_t*)context)->now_ms;
+    const bool is_flown = hil_loop_step(&board->hil, &board->measured, &board->tuning.gains,
+                                        &board->plans.plan[board_plan_hil], &info, now_ms);
     // a refused command is answered too, with the newest surfaces, because the simulator waits for an answer
     report_hil_surfaces(&board->line, &board->hil.loop.surfaces);
+    if (board->station.wants_steps)
+    {
+        report_hil_step(&board->line, now_ms, board->hil.step_s);
+    }
     return done_or(is_flown, command_bad_value);
 }
 

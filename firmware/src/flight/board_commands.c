@@ -86,6 +86,7 @@ const command_t board_commands[] = {
     ROW(MISSION_COMMIT, run_commit_mission),
     ROW(MISSION_READ, run_read_mission),
     ROW(GO_TO_WAYPOINT, run_go_to_waypoint),
+    ROW(HIL_STEPS_ON, run_tell_steps),
 };
 
 const size_t board_commands_count = sizeof board_commands / sizeof board_commands[0];

@@ -23,6 +23,7 @@
 typedef struct
 {
     bool is_extended;   ///< it has asked for capabilities since it opened the line
+    bool wants_steps;   ///< it has asked for the times of HIL steps since then
     uint32_t status_ms; ///< when the last board status was sent to it
     uint32_t frames_received;
     uint32_t frames_rejected;

@@ -138,11 +138,13 @@ bool hil_loop_step(hil_loop_t* hil, const measurements_t* measured, const contro
     if (!is_plausible(info))
     {
         hil->refused++;
+        hil->step_s = 0.0F;
         return false;
     }
     const bool repeats = hil->has_newest && hil_loop_repeats(&hil->newest, info);
     const float dt_s = step_time_s(hil, repeats, now_ms);
     begin_after_jump(hil, info, now_ms);
+    hil->step_s = dt_s;
     hil->newest = *info;
     hil->has_newest = true;
     hil->arrived_ms = now_ms;

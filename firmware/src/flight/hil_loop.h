@@ -21,6 +21,7 @@ typedef struct
     bool has_newest;              ///< at least one was accepted
     uint32_t arrived_ms;          ///< when the newest did
     uint32_t moved_ms;            ///< when the newest did that was no repeat
+    float step_s;                 ///< time that the newest step integrated; 0 after a refused command
     uint32_t accepted;            ///< commands 50 since the start
     uint32_t refused;             ///< those with a value that is not finite, or without a valid position
     uint32_t repeated;            ///< those of an aircraft that hangs still in the air: the simulator is paused

@@ -36,6 +36,7 @@ REPORT_HERE(send_fly_by_wire, message_fly_by_wire, MESSAGE_FLY_BY_WIRE)
 REPORT_HERE(send_hil_surfaces, message_hil_surfaces, MESSAGE_HIL_SURFACES)
 REPORT_HERE(send_acknowledgement, message_acknowledgement, MESSAGE_ACKNOWLEDGEMENT)
 REPORT_HERE(send_mission_count, message_mission_count, MESSAGE_MISSION_COUNT)
+REPORT_HERE(send_hil_step, message_hil_step, MESSAGE_HIL_STEP)
 REPORT_HERE(send_mission_item, message_mission_item, MESSAGE_MISSION_ITEM)
 
 /// What a plan asks for. Zeros would read as a course to the north at sea level, so unknown values are sent as absent:
@@ -93,6 +94,12 @@ void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces)
         .throttle = surfaces->throttle,
     };
     send_hil_surfaces(line, &values);
+}
+
+void report_hil_step(const report_line_t* line, uint32_t time_ms, float step_s)
+{
+    const message_hil_step_t values = {.time_ms = time_ms, .step_s = step_s};
+    send_hil_step(line, &values);
 }
 
 void report_parameters(const report_line_t* line, const parameters_t* parameters)

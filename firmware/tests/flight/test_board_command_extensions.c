@@ -1,5 +1,6 @@
 #include "support/cmocka_all.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "support/rig.h"
@@ -38,7 +39,7 @@ static void the_board_says_who_it_is_and_what_it_can_do(void** state)
     message_capabilities_t values;
     message_capabilities_unpack(&values, line_newest(&rig->out, MESSAGE_CAPABILITIES_ID)->payload);
     assert_int_equal(values.protocol_version, 1);
-    assert_int_equal(values.features, 15);
+    assert_int_equal(values.features, 47);
     assert_string_equal(values.firmware_name, BOARD_FIRMWARE_NAME);
     assert_string_equal(values.firmware_version, BOARD_FIRMWARE_VERSION);
     assert_int_equal(values.uptime_ms, 123456);
@@ -197,6 +198,48 @@ static void go_to_chooses_a_waypoint_of_its_plan(void** state)
     assert_int_equal(rig->board.plans.plan[board_plan_hil].current, 5);
 }
 
+static void send_info(rig_t* rig, const command_xplane_info_t* info)
+{
+    uint8_t payload[COMMAND_XPLANE_INFO_SIZE];
+    command_xplane_info_pack(info, payload);
+    line_clear(&rig->out);
+    (void)rig_send(rig, COMMAND_XPLANE_INFO_ID, payload, sizeof payload);
+    assert_int_equal(line_count_of(&rig->out, MESSAGE_HIL_SURFACES_ID), 1);
+}
+
+static message_hil_step_t told_step(const rig_t* rig)
+{
+    message_hil_step_t values;
+    assert_int_equal(line_count_of(&rig->out, MESSAGE_HIL_STEP_ID), 1);
+    message_hil_step_unpack(&values, line_newest(&rig->out, MESSAGE_HIL_STEP_ID)->payload);
+    return values;
+}
+
+static void the_times_of_hil_steps_are_told_to_who_asks_until_the_line_is_opened_again(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    rig_extend(rig);
+    command_xplane_info_t info = rig_level_flight();
+    send_info(rig, &info);
+    assert_int_equal(line_count_of(&rig->out, MESSAGE_HIL_STEP_ID), 0);
+
+    assert_int_equal(rig_ask(rig, COMMAND_HIL_STEPS_ON_ID, NULL, 0), command_done);
+    rig->now_ms += 35;
+    info.roll_deg += 1.0F;
+    send_info(rig, &info);
+    assert_int_equal(told_step(rig).time_ms, rig->now_ms);
+    assert_close(told_step(rig).step_s, 0.02F, 0.0);
+
+    info.latitude_deg = NAN; // refused, yet answered
+    send_info(rig, &info);
+    assert_close(told_step(rig).step_s, 0.0, 0.0);
+
+    board_open(&rig->board, rig->now_ms);
+    send_info(rig, &info);
+    assert_int_equal(line_count_of(&rig->out, MESSAGE_HIL_STEP_ID), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -210,6 +253,7 @@ int main(void)
         cmocka_unit_test(what_cannot_be_uploaded_is_refused_with_its_reason),
         cmocka_unit_test(a_read_back_ends_when_its_plan_is_replaced),
         cmocka_unit_test(go_to_chooses_a_waypoint_of_its_plan),
+        cmocka_unit_test(the_times_of_hil_steps_are_told_to_who_asks_until_the_line_is_opened_again),
     };
     return cmocka_run_group_tests_name("flight.board_command_extensions", tests, NULL, NULL);
 }

@@ -215,6 +215,7 @@ _MESSAGES: Final = (
             Value('has_sources', 'boolean', 1, 'bit', 'Airspeed and altitude sources can be selected.', minimum=0, maximum=2147483647, bit=2),
             Value('has_missions', 'boolean', 1, 'bit', 'Missions can be written and read.', minimum=0, maximum=2147483647, bit=3),
             Value('has_card_alarm', 'boolean', 1, 'bit', 'What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again.', minimum=0, maximum=2147483647, bit=4),
+            Value('has_hil_steps', 'boolean', 1, 'bit', 'The times of the steps of the HIL loop can be told (hil_steps_on).', minimum=0, maximum=2147483647, bit=5),
             Value('firmware_name', 'text', 2, 'text', 'Name of the firmware, zero padded.'),
             Value('firmware_version', 'text', 3, 'text', 'Version of the firmware, zero padded.'),
             Value('uptime_ms', 'integer', 4, 'plain', 'Time since the board started.', unit='ms', minimum=0, maximum=2147483647),
@@ -262,6 +263,15 @@ _MESSAGES: Final = (
         values=(
             Value('plan', 'integer', 0, 'plain', 'Which plan.', minimum=0, maximum=1, names=MappingProxyType({'flight': 0, 'hil': 1})),
             Value('count', 'integer', 1, 'plain', 'Waypoints of the plan; 0 for an empty one.', minimum=0, maximum=100),
+        ),
+    ),
+    Message(
+        id=0x105, name='hil_step', doc='When and by how much the HIL loop was stepped; after each hil_surfaces, from hil_steps_on until the line is opened again. With it a recording can be flown again to the last bit.',
+        source='extension', extension=True, topic=False,
+        struct=Struct("<If"),
+        values=(
+            Value('time_ms', 'integer', 0, 'plain', "The board's clock when it took the command 50 which hil_surfaces answered.", unit='ms', minimum=0, maximum=4294967295),
+            Value('step_s', 'number', 1, 'plain', 'Time that the laws integrated; 0 for a repeat, a refused command, and a step after a pause.', unit='s', minimum=0.0, maximum=1.0),
         ),
     ),
 )
@@ -822,6 +832,12 @@ _COMMANDS: Final = (
             Value('plan', 'integer', 0, 'plain', 'Which plan.', minimum=0, maximum=1, names=MappingProxyType({'flight': 0, 'hil': 1})),
             Value('index', 'integer', 1, 'plain', 'Which waypoint, from 0.', minimum=0, maximum=99),
         ),
+        confirm=Confirm('none'),
+    ),
+    Message(
+        id=0x109, name='hil_steps_on', doc='Send hil_step after each hil_surfaces, until the line is opened again.',
+        source='extension', extension=True, topic=False,
+        struct=Struct("<"),
         confirm=Confirm('none'),
     ),
 )
