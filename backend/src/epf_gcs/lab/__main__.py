@@ -17,8 +17,9 @@ from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
+from epf_gcs.lab.keeping import keep, keep_worst, kept_worst
 from epf_gcs.lab.routes import route
-from epf_gcs.lab.rows import Results
+from epf_gcs.lab.rows import WORST, Results
 from epf_gcs.system.private_files import write_private_files
 
 app = typer.Typer(
@@ -58,6 +59,10 @@ def fly(
         list[str] | None, typer.Argument(metavar="[NAME=VALUE]...", help="Conditions and gains, as seed=7.")
     ] = None,
     laws: Laws = None,
+    record: Annotated[
+        Path | None,
+        typer.Option("--record", metavar="FOLDER", help="A station's data folder, for a recording and a page of it."),
+    ] = None,
 ) -> None:
     """Fly a route once.
 
@@ -66,6 +71,8 @@ def fly(
     conditions, gains = _read(given or [])
     flight = fly_one(route(what), conditions, gains, laws)
     print("\n".join(_lines(flight)))
+    if record is not None:
+        print("\n".join(keep(flight, record).lines()))
     if not flight.is_safe:
         raise typer.Exit(1)
 
@@ -78,6 +85,9 @@ def campaign(
         int, typer.Option(min=1, max=256, help="Processes that fly. Usual: one for each core.")
     ] = os.cpu_count() or 1,
     laws: Laws = None,
+    record: Annotated[
+        int, typer.Option("--record", min=0, max=WORST, help="So many of the worst flights are recorded.")
+    ] = WORST,
 ) -> None:
     """Fly a route many times, in conditions that are drawn."""
     wanted = campaigns.read(file)
@@ -88,6 +98,7 @@ def campaign(
         with typer.progressbar(length=wanted.flights - begun, label="Flying", show_pos=True, show_eta=True) as bar:
             fly_all(wanted, results, workers, laws, lambda _: bar.update(1))
         results.finish()
+    keep_worst(wanted, into, record, laws)
     report(into)
 
 
@@ -108,10 +119,13 @@ def report(folder: Folder) -> None:
         ends = f"{_percent(effect.low.share)} and {_percent(effect.high.share)}"
         print(f"  {effect.name:16} {effect.correlation:+.2f}   {ends}")
     print("The worst flights:")
+    kept = kept_worst(folder)
     for row in found.worst:
         figure = "-" if row["near_rms_m"] is None else f"{row['near_rms_m']:.1f} m"
         end = row["lost_by"] or f"{row['captured_honestly']} of {row['waypoints']} waypoints"
         print(f"  number {row['number']:6}  {figure:>9} off the way   {end}")
+        if row["number"] in kept:
+            print("\n".join(kept[row["number"]].lines()))
 
 
 @app.command()
@@ -124,6 +138,19 @@ def compare(before: Folder, after: Folder) -> None:
     print(f"  safe only after: {found.better}; safe only before: {found.worse} (by chance: {found.by_chance:.3f})")
     low, high = found.change_interval
     print(f"  distance from the way, rms: {found.change:+.1f} m ({low:+.1f} to {high:+.1f} with 95 % certainty)")
+
+
+@app.command()
+def refly(
+    recording: Annotated[Path, typer.Argument(help="A recording of a flight with a simulator.")], laws: Laws = None
+) -> None:
+    """Tell another build of the laws what the recorded board was told, and compare what it answers."""
+    from epf_gcs.lab.refly import refly as fly_again  # noqa: PLC0415 - few need it
+
+    found = fly_again(recording, laws)
+    print("\n".join(found.lines()))
+    if found.first is not None:
+        raise typer.Exit(1)
 
 
 def _read(given: Sequence[str]) -> tuple[Conditions, dict[str, float]]:

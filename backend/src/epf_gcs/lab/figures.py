@@ -114,7 +114,7 @@ class Leg:
     def cross_track_m(self) -> Column:
         """Signed distances from the line, + right of it. A plane is flat enough: legs are a few km long."""
         end_north, end_east = metres(self.begin, self._end)
-        north, east = _columns_m(self.begin, self.truth)
+        north, east = columns_m(self.begin, self.truth)
         distances: Column = (east * end_north - north * end_east) / math.hypot(end_north, end_east)
         return distances
 
@@ -127,7 +127,7 @@ class Leg:
     def distance_m(self, truth: Truth) -> Column:
         """From the nearest point of this leg, whichever leg these samples are of."""
         end_north, end_east = metres(self.begin, self._end)
-        north, east = _columns_m(self.begin, truth)
+        north, east = columns_m(self.begin, truth)
         along = np.clip((north * end_north + east * end_east) / (end_north**2 + end_east**2), 0.0, 1.0)
         distances: Column = np.hypot(north - along * end_north, east - along * end_east)
         return distances
@@ -139,7 +139,7 @@ class Leg:
     def capture(self, waypoint: int) -> Capture:
         """Where the leg ended."""
         last = self.truth.part(len(self.truth) - 1, len(self.truth))
-        north, east = _columns_m(self._end, last)
+        north, east = columns_m(self._end, last)
         error_ft = float(last.altitude_ft[0]) - self.waypoint.altitude_ft
         within_m = capture_m(float(last.airspeed_kt[0])) + _BEYOND_M
         return Capture(waypoint, float(last.time_s[0]), float(np.hypot(north, east)[0]), error_ft, within_m)
@@ -159,7 +159,8 @@ class Leg:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """What a flight of a route comes to, from loading the plan to the capture of its last waypoint."""
+    """What a flight of a route comes to, from loading the plan to the capture of its last waypoint. `furthest_at_s`:
+    when `near` was largest."""
 
     waypoints_reached: int
     captures: tuple[Capture, ...]
@@ -167,6 +168,7 @@ class Figures:
     cross_track: Distance
     leg: Distance
     near: Distance
+    furthest_at_s: float
     altitude: Altitude
     airspeed: Airspeed
 
@@ -181,13 +183,15 @@ def measure(truth: Truth, route: Sequence[Waypoint]) -> Figures:
     legs = split(truth, route)
     is_last_reached = bool(legs) and legs[-1].is_reached()
     reached = len(legs) - 1 + is_last_reached if legs else 0
+    near = list(_near(legs))
     return Figures(
         waypoints_reached=reached,
         captures=tuple(leg.capture(number) for number, leg in enumerate(legs[:reached])),
         time_s=float(truth.time_s[-1] - truth.time_s[0]) if len(truth) else math.nan,
         cross_track=Distance(*_spread([leg.cross_track_m() for leg in legs])),
         leg=Distance(*_spread([leg.settled_cross_track_m() for leg in legs])),
-        near=Distance(*_spread(list(_near(legs)))),
+        near=Distance(*_spread(near)),
+        furthest_at_s=_at_largest_s([leg.truth for leg in legs], near),
         altitude=Altitude(AltitudeError(*_spread([leg.altitude_errors_ft() for leg in legs]))),
         airspeed=Airspeed(SpeedError(*_spread([leg.speed_errors_kt() for leg in legs]))),
     )
@@ -254,7 +258,8 @@ def metres(origin: Place, place: Place) -> Place:
     return (place[0] - origin[0]) * M_PER_DEG, (place[1] - origin[1]) * M_PER_DEG * shrink
 
 
-def _columns_m(origin: Place, truth: Truth) -> tuple[Column, Column]:
+def columns_m(origin: Place, truth: Truth) -> tuple[Column, Column]:
+    """North and east of the origin, of each sample."""
     shrink = math.cos(math.radians(origin[0]))
     north = (truth.latitude_deg - origin[0]) * M_PER_DEG
     return north, (truth.longitude_deg - origin[1]) * (M_PER_DEG * shrink)
@@ -269,6 +274,13 @@ def _near(legs: Sequence[Leg]) -> Iterator[Column]:
 def _spread(parts: Sequence[Column]) -> tuple[float, float, float]:
     values = np.concatenate(parts) if parts else np.empty(0)
     return rms(values), percentile(values, 0.95), percentile(values, 1.0)
+
+
+def _at_largest_s(parts: Sequence[Truth], values: Sequence[Column]) -> float:
+    if not parts:
+        return math.nan
+    times = np.concatenate([part.time_s for part in parts])
+    return float(times[int(np.argmax(np.concatenate(values)))])
 
 
 def _from_first(errors: Column, band: float) -> Column:

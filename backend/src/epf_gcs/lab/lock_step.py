@@ -106,7 +106,7 @@ class LockStep:
 
     def command(self, name: str, *values: float) -> None:
         """Give the board a command."""
-        self._take(self._laws.feed(encode_command(name, *values)))
+        self._tell(encode_command(name, *values))
 
     def set_gains(self, gains: Mapping[str, float]) -> None:
         """Set gains by their name on the board, as `k_roll`. Raises LabError for one that it has not, or refuses."""
@@ -149,7 +149,7 @@ class LockStep:
                 return latitude_deg, longitude_deg
         self._downlink.send(self._told(values), self.time_s)
         for told in self._downlink.due(self.time_s):
-            self._take(self._laws.feed(told))
+            self._tell(told)
         if self._frames % self._fms_every == 0:
             self._take(self._laws.send_streams(FMS_TASK))
         self._rows.extend((self.time_s, latitude_deg, longitude_deg, altitude_ft, values[10], self._answers.waypoint))
@@ -185,6 +185,9 @@ class LockStep:
             values[1],
         )
         return TO_BOARD.header + body + _WORD.pack(-sum(_TOLD_WORDS.unpack(body)) & MASK) + END
+
+    def _tell(self, data: bytes) -> None:
+        self._take(self._laws.feed(data))
 
     def _take(self, data: bytes) -> None:
         """What the station does with the board's frames."""

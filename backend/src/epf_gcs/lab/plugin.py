@@ -3,21 +3,23 @@
 def test_gando_in_a_crosswind(lab):
     flight = lab.fly("gando", wind_kt=15, wind_from_deg=250, seed=7)
     assert flight.waypoints_reached == 8
-    assert flight.cross_track.rms_m < 60
-    assert flight.altitude.settled.rms_ft < 20
+    flight.check(near_rms_m=60, altitude_rms_ft=20)
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import pytest
 
 if TYPE_CHECKING:
     from epf_gcs.codec.tables import Waypoint
     from epf_gcs.lab.flight import Flight
+
+FOLDER: Final = "epf-lab-flights"
+"""The data folder for the flights of failed tests, below pytest's root."""
 
 # What flies is imported where it is used: pytest loads a plug-in in every run on a computer that has it.
 
@@ -55,6 +57,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("lab", "epf-lab: flights of a board's laws in the simulator")
     group.addoption("--laws", type=Path, help="the shared library with the board's laws; usual: this station's own")
     group.addoption("--aircraft", default=None, help="what they are flown in: rc (usual) or c172p")
+    group.addoption(
+        "--record",
+        type=Path,
+        metavar="FOLDER",
+        help=f"a station's data folder, for the recordings and pages of all flights; usual: {FOLDER}, for failed tests",
+    )
 
 
 @pytest.fixture(scope="session")
@@ -62,3 +70,50 @@ def lab(pytestconfig: pytest.Config) -> Lab:
     """Flies what the command line names."""
     aircraft = pytestconfig.getoption("--aircraft")
     return Lab(pytestconfig.getoption("--laws"), **({} if aircraft is None else {"aircraft": aircraft}))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Generator[None, Any, Any]:
+    """Tell the figures of a test's flights in JUnit's file, and record those of a test that failed."""
+    report = yield
+    flown = getattr(item, "funcargs", {}).get("lab")
+    if call.when == "call" and isinstance(flown, Lab):
+        flights, flown.flights = flown.flights, []
+        folder = item.config.getoption("--record")
+        if report.failed or folder is not None:
+            _record(item, report, flights, folder or item.config.rootpath / FOLDER)
+        else:
+            _tell(item, flights)
+    return report
+
+
+def _record(item: pytest.Item, report: pytest.TestReport, flights: Sequence[Flight], folder: Path) -> None:
+    from epf_gcs.lab.errors import LabError  # noqa: PLC0415 - see above
+    from epf_gcs.lab.keeping import keep  # noqa: PLC0415
+
+    lines, links = [], []
+    for flight in flights:
+        lines.append(str(flight))
+        try:
+            kept = keep(flight, folder, item.name)
+            links.append(kept.recorded.link)
+            lines += kept.lines()
+        except LabError as error:
+            links.append("")
+            lines.append(f"  not recorded: {error}")
+    _tell(item, flights, links)
+    if lines:
+        report.sections.append(("flights of the lab", "\n".join(lines)))
+
+
+def _tell(item: pytest.Item, flights: Sequence[Flight], links: Sequence[str] = ()) -> None:
+    from epf_gcs.lab.flight import FIGURES  # noqa: PLC0415 - see above
+
+    for number, flight in enumerate(flights):
+        name = "flight" if len(flights) == 1 else f"flight{number + 1}"
+        told = {"flight": str(flight), "seed": flight.conditions.seed}
+        told |= {figure: read(flight) for figure, read in FIGURES.items()}
+        told |= {f"{figure}_bound": bound for figure, bound in flight.bounds.items()}
+        if links and links[number]:
+            told["link"] = links[number]
+        item.user_properties += [(f"{name}.{key}", value) for key, value in told.items()]

@@ -17,28 +17,20 @@ from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.lab.campaign import Campaign, Order
 from epf_gcs.lab.conditions import GAIN, USUAL
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.flight import Flight
+from epf_gcs.lab.flight import FIGURES, Flight
 
 PARQUET: Final = "flights.parquet"
 CAMPAIGN: Final = "campaign.toml"
+WORST: Final = 10
+"""So many flights of a campaign are shown and recorded."""
 _JOURNAL: Final = "flights.jsonl"
 _FINGERPRINT: Final = "campaign.sha256"
 
 Row = dict[str, Any]
 
-
 _OUTCOME: Final[Mapping[str, Callable[[Flight], Any]]] = {
     "waypoints": lambda flight: len(flight.route.waypoints),
-    "waypoints_reached": lambda flight: flight.waypoints_reached,
-    "captured_honestly": lambda flight: flight.captured_honestly,
-    "time_s": lambda flight: flight.time_s,
-    "cross_track_rms_m": lambda flight: flight.cross_track.rms_m,
-    "leg_rms_m": lambda flight: flight.leg.rms_m,
-    "leg_largest_m": lambda flight: flight.leg.largest_m,
-    "near_rms_m": lambda flight: flight.near.rms_m,
-    "altitude_rms_ft": lambda flight: flight.altitude.settled.rms_ft,
-    "altitude_largest_ft": lambda flight: flight.altitude.settled.largest_ft,
-    "speed_rms_kt": lambda flight: flight.airspeed.settled.rms_kt,
+    **FIGURES,
     "lost_at_s": lambda flight: None if flight.upset is None else flight.upset.time_s,
     "lost_by": lambda flight: None if flight.upset is None else flight.upset.cause,
 }

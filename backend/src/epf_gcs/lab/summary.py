@@ -13,10 +13,9 @@ import pyarrow.parquet as pq
 
 from epf_gcs.lab.conditions import GAIN, NAMES
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.rows import PARQUET, Row
+from epf_gcs.lab.rows import PARQUET, WORST, Row
 from epf_gcs.lab.truth import Column
 
-WORST: Final = 10
 FIGURE: Final = "near_rms_m"
 """What flights are ranked by, and what conditions are held against."""
 
