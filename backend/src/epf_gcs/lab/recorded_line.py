@@ -46,18 +46,20 @@ class Answered:
 class RecordedLine:
     """Both ways of the line, each in its order. `before`: commands that give a board the gains, modes and plan that the
     recorded one had already. `damaged_at_s`: where the first frame of the board is damaged; what follows is left out,
-    because nobody knows any more which answer belongs to which command."""
+    because nobody knows any more which answer belongs to which command. `has_receiver`: the stick came from the board's
+    receiver for a while, which is in no recording."""
 
     told: list[Told] = field(default_factory=list)
     answered: list[Answered] = field(default_factory=list)
     before: list[bytes] = field(default_factory=list)
     damaged_at_s: float | None = None
+    has_receiver: bool = False
 
     @property
     def has_steps(self) -> bool:
-        """Whether the board told the times of all its steps."""
+        """Whether the board told the times of all its steps; that of the last one may be cut off."""
         steps = [one.step for one in self.answered if one.frame.message.name == SURFACES]
-        return bool(steps) and None not in steps
+        return None not in (steps[:-1] or steps)
 
     def period_s(self) -> float:
         """Time of every step, where all are equal; else 0: the board measures it."""
@@ -86,6 +88,7 @@ class _Reader:
     def __init__(self) -> None:
         self._sent, self._received = FrameDecoder(TO_BOARD), FrameDecoder(FROM_BOARD)
         self._start_ns: int | None = None
+        self._has_flown = False
         self.known = _Known()
 
     def take(self, line: RecordedLine, item: Message | Note) -> None:
@@ -123,6 +126,9 @@ class _Reader:
             return
         self.known.answered(frame)
         line.answered.append(Answered(t_s, frame))
+        self._has_flown = self._has_flown or frame.message.name == SURFACES
+        if self._has_flown and frame.message.name == "heartbeat":
+            line.has_receiver = line.has_receiver or meaning(frame).values["source_joystick"] is False
 
 
 class _Known:

@@ -30,7 +30,7 @@ AFTER_S: Final = (0.0, 0.1, 1.0, 10.0, 60.0)
 _INFO: Final = "xplane_info"
 _PLAN: Final = "fms_hil_plan"
 _GAINS: Final = "autopilot_parameters"
-_LOAD_GAINS: Final = "load_autopilot_parameters"
+_LOAD_GAINS: Final = COMMANDS["load_autopilot_parameters"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +60,7 @@ class Refly:
     differences: list[Difference] = field(default_factory=list)
     until_s: float | None = None
     why: str = ""
+    has_receiver: bool = False
 
     @property
     def first(self) -> Difference | None:
@@ -87,6 +88,8 @@ class Refly:
                 f"{first.now:.9g}, was {first.recorded:.9g}"
             )
             yield f"  how it grows       {', '.join(f'{size:.3g} after {s:g} s' for s, size in self.growth())}"
+        if first is not None and self.has_receiver:
+            yield "  the stick came from the board's receiver for a while, which is in no recording"
         if self.until_s is not None:
             yield f"  compared until {self.until_s:.1f} s: {self.why}"
 
@@ -110,7 +113,7 @@ class _Flying:
         self._told = deque(line.told)
         self._clock_ms = 0
         self._newest: dict[str, Frame] = {}
-        self._found = Refly(line.has_steps)
+        self._found = Refly(line.has_steps, has_receiver=line.has_receiver)
 
     def fly(self) -> Refly:
         try:
@@ -131,18 +134,21 @@ class _Flying:
         if name == SURFACES:
             return self._compare_surfaces(answered)
         if name == "acknowledgement":
-            self._tell_acknowledged(answered.frame.values[0] & MASK)
+            type_id = answered.frame.values[0] & MASK
+            # The gains are told since their other answer came.
+            if type_id != _LOAD_GAINS.id:
+                self._tell_taken(type_id)
         elif name == _PLAN:
             self._feed_streams()
             if self._found.is_exact:
                 self._hold(answered, self._newest.get(name))
         elif name == _GAINS:
-            self._tell(_LOAD_GAINS)
+            self._tell_taken(_LOAD_GAINS.id)
             self._hold(answered, self._newest.get(name))
         return True
 
     def _compare_surfaces(self, answered: Answered) -> bool:
-        if not self._tell(_INFO, answered):
+        if not self._tell_info(answered):
             return self._end(answered.t_s, "the board answered more than it was told")
         now, step = self._newest.pop(SURFACES, None), self._newest.pop(STEP, None)
         if now is None:
@@ -169,34 +175,33 @@ class _Flying:
         self._found.until_s, self._found.why = at_s, why
         return False
 
-    def _tell(self, name: str, answered: Answered | None = None) -> bool:
-        """Tell what comes next, up to a command of this name; whether one came. A command 50 in between has an answer
-        that the recording lacks."""
+    def _tell_info(self, answered: Answered) -> bool:
+        """Tell what comes before the next command 50, and that one; whether one came."""
         while self._told:
             told = self._told.popleft()
             if told.name == _INFO:
                 self._advance(told, answered)
             self._feed(told.data)
-            if told.name == name:
+            if told.name == _INFO:
                 return True
         return False
 
-    def _tell_acknowledged(self, type_id: int) -> None:
-        """Its command, and those before it, were taken before anything that the board sends from now on."""
+    def _tell_taken(self, type_id: int) -> None:
+        """The board has answered this command: it took it, and those before it, before it sends anything else."""
         coming = list(takewhile(lambda told: told.name != _INFO, self._told))
-        if any(told.name and COMMANDS[told.name].id == type_id for told in coming):
-            is_told = False
-            while not is_told:
-                told = self._told.popleft()
-                self._feed(told.data)
-                is_told = bool(told.name) and COMMANDS[told.name].id == type_id
+        for number, told in enumerate(coming):
+            if told.name and COMMANDS[told.name].id == type_id:
+                for one in coming[: number + 1]:
+                    self._feed(one.data)
+                    self._told.popleft()
+                return
 
-    def _advance(self, told: Told, answered: Answered | None) -> None:
+    def _advance(self, told: Told, answered: Answered) -> None:
         """Let the board's time pass until it takes this command 50."""
         if self._period_s > 0.0:
             return
         now_ms = round(told.t_s * 1000.0)
-        if answered is not None and answered.step is not None:
+        if answered.step is not None:
             now_ms = answered.step[0]
         self._laws.advance((now_ms - self._clock_ms) & MASK)
         self._clock_ms = now_ms

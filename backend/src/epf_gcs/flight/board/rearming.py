@@ -1,5 +1,5 @@
-"""Each time a board opens, restore the streams, periods and control source that were requested before, and read the
-gains again that were known."""
+"""Each time a board opens, restore the streams, periods and control source that were requested before, read the gains
+again that were known, and ask for the times of HIL steps."""
 
 from __future__ import annotations
 
@@ -66,5 +66,8 @@ class Rearmer:
                 for name, arguments in wanted.missing(self._telemetry.newest("heartbeat") or {}):
                     await self._commands.run(name, arguments, client="gateway")
                 await self._parameters.read_again()
+                if self._board.capabilities().get("has_hil_steps"):
+                    # So that the recording can be flown again: nobody here needs them.
+                    await self._commands.run("hil_steps_on", quiet=True)
             except GatewayError as error:
                 self._errors.report(error)

@@ -36,6 +36,7 @@ _INTERNAL: Final = frozenset(
         "mission_item",
         "mission_commit",
         "mission_read",
+        "hil_steps_on",
     }
 )
 OFFERED: Final = {name: command for name, command in COMMANDS.items() if name not in _INTERNAL}
