@@ -1,5 +1,6 @@
 #include "epf_flight.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -54,7 +55,6 @@ void epf_flight_free(flight_t* flight)
 void epf_flight_advance(flight_t* flight, uint32_t elapsed_ms)
 {
     flight->now_ms += elapsed_ms;
-    board_supervise_hil(&flight->board, flight->now_ms);
     while (board_tick(&flight->board, flight->now_ms))
     {
     }
@@ -113,6 +113,36 @@ void epf_flight_send_streams(flight_t* flight, uint32_t task)
     {
         board_send_streams(&flight->board, (telemetry_task_t)task);
     }
+}
+
+void epf_flight_supervise(flight_t* flight)
+{
+    board_supervise_hil(&flight->board, flight->now_ms);
+}
+
+void epf_flight_step(flight_t* flight, const epf_flight_readings_t* readings, float dt_s)
+{
+    board_sensors_t* const sensors = &flight->board.measured.sensors;
+    sensors->ahrs = (message_ahrs_t){readings->yaw_deg, readings->pitch_deg, readings->roll_deg};
+    sensors->inertial.gx_rad_s = readings->p_rad_s;
+    sensors->inertial.gy_rad_s = readings->q_rad_s;
+    sensors->inertial.gz_rad_s = readings->r_rad_s;
+    sensors->analog.altitude_m = readings->altitude_m;
+    sensors->analog.vvi_ft_min = readings->vvi_ft_min;
+    sensors->analog.calibrated_airspeed_kt = readings->calibrated_airspeed_kt;
+    sensors->gps.latitude_deg = readings->gps_latitude_deg;
+    sensors->gps.longitude_deg = readings->gps_longitude_deg;
+    sensors->gps.altitude_m = readings->gps_altitude_m;
+    sensors->gps.speed_kt = readings->gps_speed_kt;
+    sensors->gps.heading_deg = readings->gps_heading_deg;
+    sensors->gps.valid = isfinite(readings->gps_latitude_deg) ? 'A' : 'V';
+    memcpy(sensors->servos_in.channel, readings->channel, sizeof sensors->servos_in.channel);
+    board_flight_step(&flight->board, dt_s);
+}
+
+void epf_flight_positions(const flight_t* flight, float positions[epf_flight_servos])
+{
+    board_servo_positions(&flight->board, positions);
 }
 
 size_t epf_flight_lost_bytes(const flight_t* flight)

@@ -14,6 +14,7 @@ from epf_gcs import __version__
 from epf_gcs.lab import campaign as campaigns
 from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import read as read_faults
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
@@ -56,7 +57,7 @@ def about(
 def fly(
     what: Annotated[str, typer.Argument(metavar="ROUTE", help="gando, vuelo, alternativa, ruta_isla, or a plan file.")],
     given: Annotated[
-        list[str] | None, typer.Argument(metavar="[NAME=VALUE]...", help="Conditions and gains, as seed=7.")
+        list[str] | None, typer.Argument(metavar="[NAME=VALUE]...", help="Conditions, gains and faults, as seed=7.")
     ] = None,
     laws: Laws = None,
     record: Annotated[
@@ -66,10 +67,10 @@ def fly(
 ) -> None:
     """Fly a route once.
 
-    As in: epf-lab fly gando wind_kt=15 wind_from_deg=250 gains.k_roll=3
+    As in: epf-lab fly gando wind_kt=15 wind_from_deg=250 gains.k_roll=3 fault=gyro.drift@60+30=0.002
     """
-    conditions, gains = _read(given or [])
-    flight = fly_one(route(what), conditions, gains, laws)
+    conditions, gains, faults = _read(given or [])
+    flight = fly_one(route(what), conditions, gains, laws, read_faults(faults))
     print("\n".join(_lines(flight)))
     if record is not None:
         print("\n".join(keep(flight, record).lines()))
@@ -153,16 +154,20 @@ def refly(
         raise typer.Exit(1)
 
 
-def _read(given: Sequence[str]) -> tuple[Conditions, dict[str, float]]:
+def _read(given: Sequence[str]) -> tuple[Conditions, dict[str, float], list[str]]:
     values: dict[str, str] = {}
     gains: dict[str, str] = {}
+    faults: list[str] = []
     for one in given:
         name, sign, text = one.partition("=")
         if not sign:
             raise LabError(f"{one!r} is not NAME=VALUE, as wind_kt=15")
+        if name == "fault":
+            faults.append(text)
+            continue
         is_gain = name.startswith(GAIN)
         (gains if is_gain else values)[name.removeprefix(GAIN) if is_gain else name] = text
-    return Conditions.of(values, are_texts=True), gains_of(gains, are_texts=True)
+    return Conditions.of(values, are_texts=True), gains_of(gains, are_texts=True), faults
 
 
 def _lines(flight: Flight) -> list[str]:
@@ -177,6 +182,7 @@ def _lines(flight: Flight) -> list[str]:
         f"  off the way         {flight.near.rms_m:6.1f} m rms, turns included",
         f"  altitude            {altitude.rms_ft:6.1f} ft rms, {altitude.largest_ft:.1f} ft largest",
         f"  indicated airspeed  {flight.airspeed.settled.rms_kt:6.1f} kt rms",
+        *(f"  {shown}" for shown in flight.evidence),
     ]
 
 

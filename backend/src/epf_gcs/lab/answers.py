@@ -19,9 +19,12 @@ _WORDS: Final = Struct(f"<{(_WORD.size + _ANSWER.size + _WORD.size) // 4}I")
 
 
 class Answers:
-    """Decodes what one board sends. `waypoint`: of its plan of HIL; -1 before it told one."""
+    """Decodes what one board sends. `waypoint`: of the plan that the message `plan` tells of; -1 before it told one.
+    `is_line_sound`: what cannot be read is the board's fault."""
 
-    def __init__(self) -> None:
+    def __init__(self, plan: str = "fms_hil_plan", *, is_line_sound: bool = True) -> None:
+        self._plan = plan
+        self._is_line_sound = is_line_sound
         self._decoder = FrameDecoder()
         self.waypoint = -1
 
@@ -32,22 +35,23 @@ class Answers:
         if len(data) == _BYTES and data.startswith(_HEAD) and data.endswith(END):
             words = _WORDS.unpack_from(data, len(FROM_BOARD.header))
             if not sum(words) & MASK:
-                return [_safe(Surfaces(*_ANSWER.struct.unpack_from(data, len(_HEAD))))]
+                return [within_limits(Surfaces(*_ANSWER.struct.unpack_from(data, len(_HEAD))))]
         moved = []
         for found in self._decoder.feed(data):
             match found:
                 case Frame(message=message) if message is _ANSWER:
-                    moved.append(_safe(Surfaces(*found.values)))
-                case Frame(message=message) if message.name == "fms_hil_plan":
+                    moved.append(within_limits(Surfaces(*found.values)))
+                case Frame(message=message) if message.name == self._plan:
                     self.waypoint = int(found.values[-1])
                 case Frame():
                     pass
-                case Damage():
+                case Damage() if self._is_line_sound:
                     raise LabError(f"the board sent {found}")
         return moved
 
 
-def _safe(surfaces: Surfaces) -> Surfaces:
+def within_limits(surfaces: Surfaces) -> Surfaces:
+    """Raises LabError for surfaces that are no numbers."""
     safe = surfaces.clamped()
     if safe is None:
         raise LabError(f"the board sent surfaces that are no numbers: {surfaces}")

@@ -10,6 +10,11 @@ wind_kt = { uniform = [0, 25] }
 mass_factor = { normal = [1.0, 0.05] }
 start = { choice = ["air", "runway"] }
 "gains.k_roll" = { uniform = [1.5, 3.0] }
+[[faults]]
+place = "gyro"
+kind = "drift"
+start_s = { uniform = [60, 300] }
+length_s = 30
 """
 
 from __future__ import annotations
@@ -24,9 +29,10 @@ from typing import Any, Final
 
 from epf_gcs.lab.conditions import GAIN, Conditions, gains_of
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import read as read_faults
 from epf_gcs.lab.routes import Route, route
 
-_KEYS: Final = {"route", "flights", "seed", "fixed", "drawn"}
+_KEYS: Final = {"route", "flights", "seed", "fixed", "drawn", "faults"}
 _MOST_FLIGHTS: Final = 1_000_000
 # What a normal distribution draws beyond so many deviations is drawn again: no campaign means an aircraft of no mass.
 _DEVIATIONS: Final = 3.0
@@ -61,6 +67,7 @@ class Order:
     number: int
     conditions: Mapping[str, object]
     gains: Mapping[str, object]
+    faults: tuple[Mapping[str, object], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +79,7 @@ class Campaign:
     seed: int
     fixed: Mapping[str, object]
     drawn: Mapping[str, Draw]
+    faults: tuple[Mapping[str, object], ...]
     text: str = field(repr=False)
 
     @property
@@ -85,7 +93,8 @@ class Campaign:
         values = {**self.fixed, **{name: draw.value(dice) for name, draw in self.drawn.items()}}
         values.setdefault("seed", dice.randrange(2**31))
         gains = {name.removeprefix(GAIN): values.pop(name) for name in list(values) if name.startswith(GAIN)}
-        return Order(number, values, gains)
+        faults = tuple({name: _given(value, dice) for name, value in fault.items()} for fault in self.faults)
+        return Order(number, values, gains, faults)
 
 
 def read(path: Path) -> Campaign:
@@ -112,6 +121,7 @@ def read(path: Path) -> Campaign:
         seed,
         _table(given, "fixed"),
         {name: _draw(name, one) for name, one in _table(given, "drawn").items()},
+        _faults(given),
         text,
     )
     twice = campaign.fixed.keys() & campaign.drawn.keys()
@@ -120,6 +130,7 @@ def read(path: Path) -> Campaign:
     first = campaign.order(0)
     Conditions.of(first.conditions)
     gains_of(first.gains)
+    read_faults(first.faults)
     return campaign
 
 
@@ -130,6 +141,20 @@ def _table(given: Mapping[str, object], name: str) -> dict[str, object]:
     # [fixed.gains] and "gains.k_roll" are the same.
     gains = table.pop("gains", {})
     return {**table, **{f"{GAIN}{key}": value for key, value in gains.items()}}
+
+
+def _faults(given: Mapping[str, object]) -> tuple[dict[str, object], ...]:
+    faults = given.get("faults", [])
+    if not isinstance(faults, list) or not all(isinstance(fault, dict) for fault in faults):
+        raise LabError("`faults` must be tables, as [[faults]]")
+    return tuple(
+        {name: _draw(name, value) if isinstance(value, dict) else value for name, value in fault.items()}
+        for fault in faults
+    )
+
+
+def _given(value: object, dice: random.Random) -> object:
+    return value.value(dice) if isinstance(value, Draw) else value
 
 
 def _draw(name: str, given: Any) -> Draw:

@@ -27,7 +27,8 @@ class Conditions:
     `wind_from_deg`: true direction it blows from. `turbulence`: none, light, moderate or severe, of MIL-F-8785C as
     JSBSim makes it. `round_trip_ms`: fixed delay from the simulator over the board and back, half of it each way;
     `jitter_ms`: up to so much more each way; `loss_percent` of the datagrams each way. `mass_factor`, `cg_aft_m`,
-    `control_power`: see `simulator.situation.Loading`.
+    `control_power`: see `simulator.situation.Loading`. `loop`: which of the board's two: `hil`, told by command 50, or
+    `aircraft`, that of the real aircraft, told by sensors that are right, without a link.
     """
 
     wind_kt: float = 0.0
@@ -40,6 +41,7 @@ class Conditions:
     jitter_ms: float = 0.0
     loss_percent: float = 0.0
     start: str = "air"
+    loop: str = "hil"
     aircraft: str = "rc"
     rate_hz: int = 50
     seed: int = 1
@@ -106,6 +108,7 @@ _LIMITS: Final = (
 _CHOICES: Final = {
     "turbulence": tuple(Turbulence),
     "start": tuple(Start),
+    "loop": ("hil", "aircraft"),
     "aircraft": tuple(AIRCRAFT),
 }
 

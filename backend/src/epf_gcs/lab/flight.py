@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from epf_gcs.lab.aircraft_loop import AircraftLoop
 from epf_gcs.lab.conditions import USUAL, Conditions
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import Fault
+from epf_gcs.lab.faulty import FaultyLockStep
 from epf_gcs.lab.figures import Figures, measure
 from epf_gcs.lab.lock_step import LockStep, Upset
-from epf_gcs.lab.routes import Route
+from epf_gcs.lab.routes import FLIGHT_PLAN, HIL_PLAN, Route
 from epf_gcs.lab.truth import Truth
 
 
@@ -25,14 +29,17 @@ class Moment(NamedTuple):
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Flight(Figures):
     """What was flown, in which conditions, and the figures of it, from the simulator's truth. `upset`: how it ended
-    before its time; None: its end is the route's, or time was up. `library`: the laws; None: this station's own.
-    `bounds`: what `check` held it against."""
+    before its time; None: its end is the route's, or time was up. `evidence`: what shows that each fault was there.
+    `library`: the laws; None: this station's own. `bounds`: what `check` held it against."""
 
     route: Route
     conditions: Conditions
     gains: Mapping[str, float]
     truth: Truth
     upset: Upset | None
+    faults: tuple[Fault, ...] = ()
+    evidence: tuple[str, ...] = ()
+    longest_s: float = math.inf
     library: Path | None = None
     bounds: dict[str, float] = field(default_factory=dict, compare=False)
 
@@ -73,6 +80,7 @@ class Flight(Figures):
         """For a failed test: what to fly to see it again, and how it ended."""
         changed = [f"{name}={getattr(self.conditions, name)!r}" for name in _changed(self.conditions)]
         changed += [f"{name}={value!r}" for name, value in self.gains.items()]
+        changed += [f"fault={fault}" for fault in self.faults]
         end = f"lost after {self.upset.time_s:.1f} s: {self.upset.cause}" if self.upset else f"{self.time_s:.0f} s"
         reached = f"{self.captured_honestly} of {len(self.route.waypoints)} waypoints"
         return f"<flight of {self.route.name} ({', '.join(changed)}): {reached}, {end}>"
@@ -81,11 +89,17 @@ class Flight(Figures):
 
 
 def fly(
-    route: Route, conditions: Conditions, gains: Mapping[str, float] | None = None, library: Path | None = None
+    route: Route,
+    conditions: Conditions,
+    gains: Mapping[str, float] | None = None,
+    library: Path | None = None,
+    faults: Sequence[Fault] = (),
+    longest_s: float = math.inf,
 ) -> Flight:
-    """Fly a route from its start to its end, in lock-step. Raises LabError if it cannot be flown as asked."""
-    with LockStep(conditions.options(), library) as loop:
-        truth = fly_in(loop, route, conditions, gains or {})
+    """Fly a route from its start to its end, or for so long, in lock-step. Raises LabError if it cannot be flown as
+    asked, or if a fault that was asked for was not there."""
+    with _loop(conditions, library, faults) as loop:
+        truth = fly_in(loop, route, conditions, gains or {}, longest_s)
         figures = measure(truth, route.waypoints)
         return Flight(
             **{one.name: getattr(figures, one.name) for one in fields(Figures)},
@@ -94,17 +108,22 @@ def fly(
             gains=dict(gains or {}),
             truth=truth,
             upset=loop.upset,
+            faults=tuple(faults),
+            evidence=loop.evidence() if isinstance(loop, FaultyLockStep) else (),
+            longest_s=longest_s,
             library=library,
         )
 
 
-def fly_in(loop: LockStep, route: Route, conditions: Conditions, gains: Mapping[str, float]) -> Truth:
+def fly_in(
+    loop: LockStep, route: Route, conditions: Conditions, gains: Mapping[str, float], longest_s: float = math.inf
+) -> Truth:
     """Fly a route in a loop that was made for these conditions. Raises LabError if it cannot be flown as asked."""
     loop.set_gains(gains)
-    for name, values in route.commands():
+    for name, values in route.commands(FLIGHT_PLAN if conditions.loop == "aircraft" else HIL_PLAN):
         loop.command(name, *values)
     loop.command("autopilot_on")
-    return loop.fly(route.waypoints, route.longest_s())
+    return loop.fly(route.waypoints, min(longest_s, route.longest_s()))
 
 
 FIGURES: Final[Mapping[str, Callable[[Flight], float]]] = {
@@ -122,6 +141,12 @@ FIGURES: Final[Mapping[str, Callable[[Flight], float]]] = {
 """The figures by the names that a campaign's columns and bounds have; NaN for one of nothing."""
 AT_LEAST: Final = frozenset({"waypoints_reached", "captured_honestly"})
 """Figures of which more is better."""
+
+
+def _loop(conditions: Conditions, library: Path | None, faults: Sequence[Fault]) -> LockStep:
+    if conditions.loop == "aircraft":
+        return AircraftLoop(conditions.options(), faults, library)
+    return FaultyLockStep(conditions.options(), faults, library) if faults else LockStep(conditions.options(), library)
 
 
 def _changed(conditions: Conditions) -> list[str]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import signal
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
@@ -15,6 +16,7 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.lab.campaign import Campaign
 from epf_gcs.lab.conditions import Conditions, gains_of
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import Asked, read
 from epf_gcs.lab.flight import Flight, fly
 from epf_gcs.lab.routes import Route, route
 from epf_gcs.lab.rows import Results, Row, row
@@ -32,7 +34,8 @@ def fly_order(campaign: Campaign, number: int, library: Path | None = None) -> R
     """Fly one; what cannot be flown is a row that says why."""
     order = campaign.order(number)
     try:
-        return row(order, fly_wanted(campaign.route, order.conditions, order.gains, library))
+        flown = fly_wanted(campaign.route, order.conditions, order.gains, library, order.faults)
+        return row(order, flown)
     except LabError as error:
         return row(order, None, str(error))
 
@@ -42,10 +45,12 @@ def fly_wanted(
     conditions: Mapping[str, object],
     gains: Mapping[str, object] | None = None,
     library: Path | None = None,
+    faults: Iterable[Asked] = (),
+    longest_s: float = math.inf,
 ) -> Flight:
     """Fly a route by name, from a file or of waypoints, in conditions by name. Raises LabError for an unknown one."""
     what = wanted if isinstance(wanted, Route) else route(wanted)
-    return fly(what, Conditions.of(conditions), gains_of(gains or {}), library)
+    return fly(what, Conditions.of(conditions), gains_of(gains or {}), library, read(faults), longest_s)
 
 
 def fly_all(

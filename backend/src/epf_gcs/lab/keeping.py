@@ -54,7 +54,7 @@ def keep_worst(campaign: Campaign, folder: Path, count: int, library: Path | Non
         number = row["number"]
         if number not in kept:
             order = campaign.order(number)
-            flight = fly_wanted(campaign.route, order.conditions, order.gains, library)
+            flight = fly_wanted(campaign.route, order.conditions, order.gains, library, order.faults)
             kept[number] = keep(flight, folder / _STATION, f"{campaign.route.name} {number}")
             _write(folder, kept)
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.lab.errors import LabError
 from epf_gcs.product import BOARD
@@ -12,6 +13,15 @@ from epf_gcs.product import BOARD
 FMS_TASK: Final = 1
 """The board's task that sends plans and waypoints; it runs every `FMS_PERIOD_S`."""
 FMS_PERIOD_S: Final = 0.1
+
+READINGS: Final = (
+    *("p_rad_s", "q_rad_s", "r_rad_s", "yaw_deg", "pitch_deg", "roll_deg"),
+    *("altitude_m", "vvi_ft_min", "calibrated_airspeed_kt"),
+    *("gps_latitude_deg", "gps_longitude_deg", "gps_altitude_m", "gps_speed_kt", "gps_heading_deg"),
+    *(f"channel_{number}" for number in range(12)),
+)
+"""What the real aircraft's loop is flown by, in the order of the library's `epf_flight_readings_t`."""
+SERVO_COUNT: Final = 20
 
 _OUT_BYTES: Final = 16384
 
@@ -44,6 +54,21 @@ class Laws:
         """Let time pass; needed between two commands 50 only if the board measures the time of its steps."""
         self._library.epf_flight_advance(self._board, elapsed_ms)
 
+    def supervise(self) -> None:
+        """Let the board see whether command 50 has stopped, as it does each 20 ms."""
+        _newer(self._library, "epf_flight_supervise")(self._board)
+
+    def step(self, readings: Sequence[float], elapsed_s: float) -> None:
+        """One step of the real aircraft's loop. `readings`: those of `READINGS`, NaN where nothing is measured."""
+        packed = (ctypes.c_float * len(READINGS))(*readings)
+        _newer(self._library, "epf_flight_step")(self._board, packed, ctypes.c_float(elapsed_s))
+
+    def positions(self) -> list[float]:
+        """Of the servos, -1..+1 (throttle 0..1): aileron, elevator, throttle, rudder, and those beside them."""
+        positions = (ctypes.c_float * SERVO_COUNT)()
+        _newer(self._library, "epf_flight_positions")(self._board, positions)
+        return list(positions)
+
     def send_streams(self, task: int) -> bytes:
         """Let one of the board's tasks send its streams; returns them."""
         self._library.epf_flight_send_streams(self._board, task)
@@ -56,6 +81,14 @@ def library() -> Path:
         return BOARD.file("posix/libepf-flight.so")
     except FileNotFoundError as error:
         raise LabError(str(error)) from error
+
+
+def _newer(loaded: ctypes.CDLL, name: str) -> Any:
+    """A function that a library of before faults were flown has not. All of them take the board first, a pointer."""
+    try:
+        return getattr(loaded, name)
+    except AttributeError as error:
+        raise LabError(f"these laws have no {name}, which faults need: build them anew (make laws)") from error
 
 
 def _load(path: Path | None) -> ctypes.CDLL:

@@ -69,6 +69,8 @@ class Upset(NamedTuple):
 class LockStep:
     """A simulator and a board on the assisted path. Raises LabError where one of the two is missing."""
 
+    _plan_stream = "fms_hil_plan"
+
     def __init__(self, options: SimulationOptions, library: Path | None = None) -> None:
         model = AIRCRAFT[options.aircraft]
         trim = trimmed(model, options.situation.start)
@@ -76,8 +78,10 @@ class LockStep:
             self._craft = Airframe(model, options.situation, trim.motion, trim.controls)
         except AirframeError as error:
             raise LabError(str(error)) from error
-        self._laws = Laws(1.0 / options.rate_hz, library)
-        self._answers = Answers()
+        self._rate_hz = options.rate_hz
+        self._library = library
+        self._laws = self._new_board()
+        self._answers = self._new_answers()
         lever = trim.controls.throttle if options.throttle is None else options.throttle
         self._lever = lever
         self._controls = trim.controls if options.throttle is None else _with_lever(trim.controls, lever)
@@ -85,7 +89,6 @@ class LockStep:
         self._uplink: Link[Surfaces] = Link(options.link, f"{seed} to the simulator")
         self._downlink: Link[bytes] = Link(options.link, f"{seed} from the simulator")
         self._read = self._craft.reader(_READ)
-        self._rate_hz = options.rate_hz
         self._fms_every = round(FMS_PERIOD_S * options.rate_hz)
         self._frames = 0
         self._rows = array("d")
@@ -129,12 +132,18 @@ class LockStep:
                 break
         return Truth.from_rows(self._rows)
 
+    def _new_board(self) -> Laws:
+        return Laws(1.0 / self._rate_hz, self._library)
+
+    def _new_answers(self) -> Answers:
+        return Answers(self._plan_stream)
+
     def _frame(self) -> tuple[float, float]:
         for surfaces in self._uplink.due(self.time_s):
             self._controls = Controls(*surfaces)
         rate_hz, frames = self._rate_hz, self._frames
         self._frames += 1
-        self._craft.command(self._controls)
+        self._craft.command(self._moved())
         try:
             self._craft.step((frames + 1) * STEP_HZ // rate_hz - frames * STEP_HZ // rate_hz)
         except AirframeError as error:
@@ -148,12 +157,20 @@ class LockStep:
                 self.upset = Upset(self.time_s, cause)
                 return latitude_deg, longitude_deg
         self._downlink.send(self._told(values), self.time_s)
-        for told in self._downlink.due(self.time_s):
-            self._tell(told)
+        self._give(self._downlink.due(self.time_s))
         if self._frames % self._fms_every == 0:
             self._take(self._laws.send_streams(FMS_TASK))
         self._rows.extend((self.time_s, latitude_deg, longitude_deg, altitude_ft, values[10], self._answers.waypoint))
         return latitude_deg, longitude_deg
+
+    def _moved(self) -> Controls:
+        """Where the aircraft's surfaces go."""
+        return self._controls
+
+    def _give(self, arrived: list[bytes]) -> None:
+        """Give the board what has arrived, and take its answers."""
+        for told in arrived:
+            self._tell(told)
 
     def _is_suspicious(self, values: Sequence[float]) -> bool:
         """Whether this may be a crash; quick, for it is asked every frame."""

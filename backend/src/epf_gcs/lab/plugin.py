@@ -8,15 +8,20 @@ def test_gando_in_a_crosswind(lab):
 
 from __future__ import annotations
 
-from collections.abc import Generator, Mapping, Sequence
+import math
+from collections.abc import Generator, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import pytest
 
+from epf_gcs.lab.bounds import FIGURE, Bounds
+
 if TYPE_CHECKING:
     from epf_gcs.codec.tables import Waypoint
+    from epf_gcs.lab.faults import Asked
     from epf_gcs.lab.flight import Flight
+    from epf_gcs.lab.watched import Watched, WatchedAircraft
 
 FOLDER: Final = "epf-lab-flights"
 """The data folder for the flights of failed tests, below pytest's root."""
@@ -38,24 +43,41 @@ class Lab:
         route: str | Path | Sequence[Waypoint],
         *,
         gains: Mapping[str, float] | None = None,
+        faults: Iterable[Asked] = (),
+        longest_s: float = math.inf,
         **conditions: Any,
     ) -> Flight:
         """Fly a route by name (`gando`), from a plan file, or of waypoints. `gains`: by the board's names, as `k_roll`.
+        `faults`: as `gyro.drift@60+30=0.002` (see `epf_gcs.lab.faults`). `longest_s`: it ends then at the latest.
 
         The conditions are those of `epf_gcs.lab.conditions.Conditions`, as `wind_kt=15, seed=7`. Raises LabError for a
-        route, a gain or a condition that there is none of.
+        route, a gain, a condition or a fault that there is none of, and for a fault that was not there.
         """
         from epf_gcs.lab.flying import fly_wanted  # noqa: PLC0415 - see above
 
-        flown = fly_wanted(route, {**self._usual, **conditions}, gains, self._library)
+        flown = fly_wanted(route, {**self._usual, **conditions}, gains, self._library, faults, longest_s)
         self.flights.append(flown)
         return flown
+
+    def watch(self, loop: str = "hil", faults: Iterable[Asked] = (), **conditions: Any) -> Watched | WatchedAircraft:
+        """A board in its aircraft, to be flown step by step: on the path of HIL, or in the loop of the real aircraft.
+
+        Raises LabError as `fly`.
+        """
+        from epf_gcs.lab.conditions import Conditions  # noqa: PLC0415 - see above
+        from epf_gcs.lab.faults import read  # noqa: PLC0415
+        from epf_gcs.lab.watched import Watched, WatchedAircraft  # noqa: PLC0415
+
+        options = Conditions.of({**self._usual, **conditions, "loop": loop}).options()
+        return (WatchedAircraft if loop == "aircraft" else Watched)(options, read(faults), self._library)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """The lab's options."""
     group = parser.getgroup("lab", "epf-lab: flights of a board's laws in the simulator")
     group.addoption("--laws", type=Path, help="the shared library with the board's laws; usual: this station's own")
+    group.addoption("--seeds", type=int, default=3, help="how many seeds a suite flies where chance has a part")
+    group.addoption("--figures", action="store_true", help="say each figure beside its bound, of every test")
     group.addoption("--aircraft", default=None, help="what they are flown in: rc (usual) or c172p")
     group.addoption(
         "--record",
@@ -63,6 +85,30 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         metavar="FOLDER",
         help=f"a station's data folder, for the recordings and pages of all flights; usual: {FOLDER}, for failed tests",
     )
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """A test that takes a `lab_seed` is flown with each."""
+    if "lab_seed" in metafunc.fixturenames:
+        metafunc.parametrize("lab_seed", range(1, metafunc.config.getoption("--seeds") + 1))
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """The figures of all tests."""
+    if not config.getoption("--figures"):
+        return
+    terminalreporter.section("figures")
+    for outcome in ("passed", "failed"):
+        for report in terminalreporter.getreports(outcome):
+            for name, sentence in report.user_properties:
+                if name == FIGURE:
+                    terminalreporter.write_line(f"{outcome}  {report.nodeid.rpartition('::')[2]}: {sentence}")
+
+
+@pytest.fixture
+def bounds(request: pytest.FixtureRequest) -> Bounds:
+    """Holds figures against their bounds, and keeps both."""
+    return Bounds(lambda name, value: request.node.user_properties.append((name, value)))
 
 
 @pytest.fixture(scope="session")

@@ -7,9 +7,10 @@ holds what the board was told, and what it made of that.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, cast
 
 import numpy as np
 
@@ -17,8 +18,11 @@ from epf_gcs import __version__
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
 from epf_gcs.data_folder.whereabouts import of_running
 from epf_gcs.flight.recording.recording_file import RecordingFile
+from epf_gcs.lab.aircraft_loop import AircraftLoop
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faulty import FaultyLockStep
 from epf_gcs.lab.flight import Flight, Moment, fly_in
+from epf_gcs.lab.laws import Laws
 from epf_gcs.lab.lock_step import LockStep
 from epf_gcs.library.about import About, write_about
 from epf_gcs.recordings import notes
@@ -71,9 +75,9 @@ class Recorded:
 def record(flight: Flight, data_dir: Path, title: str = "") -> Recorded:
     """Fly it again, and keep every byte of it in a station's data folder. Raises LabError if the disk does not take it,
     or if it is another flight now, as with laws that were built anew."""
-    with _RecordedLockStep(flight.conditions.options(), flight.library) as loop:
+    with _recorded(flight) as loop:
         loop.greet()
-        again = fly_in(loop, flight.route, flight.conditions, flight.gains)
+        again = fly_in(loop, flight.route, flight.conditions, flight.gains, flight.longest_s)
         if not all(map(np.array_equal, again.columns(), flight.truth.columns())):
             raise LabError(f"{flight} is another flight when it is flown again: were the laws built anew?")
         try:
@@ -82,15 +86,38 @@ def record(flight: Flight, data_dir: Path, title: str = "") -> Recorded:
             raise LabError(f"{data_dir} takes no recording: {error.strerror or error}") from error
 
 
-class _RecordedLockStep(LockStep):
+class _Tap:
+    """A board of which every byte is kept, each way; all else is the board's."""
+
+    def __init__(self, laws: Laws, keep: Callable[[int, bytes], None]) -> None:
+        self._laws = laws
+        self._keep = keep
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._laws, name)
+
+    def feed(self, data: bytes) -> bytes:
+        self._keep(BOARD_SENT, data)
+        answer = self._laws.feed(data)
+        self._keep(BOARD_RECEIVED, answer)
+        return answer
+
+    def send_streams(self, task: int) -> bytes:
+        sent = self._laws.send_streams(task)
+        self._keep(BOARD_RECEIVED, sent)
+        return sent
+
+
+class _RecordedLoop(LockStep):
     """A loop of which every byte is kept, with its time in the simulation."""
 
-    def __init__(self, options: SimulationOptions, library: Path | None = None) -> None:
+    def __init__(self, options: SimulationOptions, *arguments: Any) -> None:
         self._said: list[tuple[float, int, bytes]] = []
         self._writer = RowWriter(options.profile)
         self._profile = options.profile
         self._heartbeat_every = round(_HEARTBEAT_PERIOD_S * options.rate_hz)
-        super().__init__(options, library)
+        self._frames = 0
+        super().__init__(options, *arguments)
 
     def greet(self) -> None:
         """Ask the board what a station asks first."""
@@ -144,14 +171,26 @@ class _RecordedLockStep(LockStep):
             self._take(self._laws.send_streams(_HEARTBEAT_TASK))
         return place
 
-    def _tell(self, data: bytes) -> None:
-        self._keep(BOARD_SENT, data)
-        super()._tell(data)
-
-    def _take(self, data: bytes) -> None:
-        self._keep(BOARD_RECEIVED, data)
-        super()._take(data)
+    def _new_board(self) -> Laws:
+        return cast("Laws", _Tap(super()._new_board(), self._keep))
 
     def _keep(self, channel: int, data: bytes) -> None:
         if data:
             self._said.append((self.time_s, channel, data))
+
+
+class _RecordedFaultyLoop(_RecordedLoop, FaultyLockStep):
+    """The same with faults."""
+
+
+class _RecordedAircraftLoop(_RecordedLoop, AircraftLoop):
+    """The same of the real aircraft's loop."""
+
+
+def _recorded(flight: Flight) -> _RecordedLoop:
+    options = flight.conditions.options()
+    if flight.conditions.loop == "aircraft":
+        return _RecordedAircraftLoop(options, flight.faults, flight.library)
+    if flight.faults:
+        return _RecordedFaultyLoop(options, flight.faults, flight.library)
+    return _RecordedLoop(options, flight.library)

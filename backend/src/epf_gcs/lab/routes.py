@@ -17,6 +17,8 @@ from epf_gcs.units import mps_from_kt
 
 HIL_PLAN: Final = 1
 """Which of its two plans the board flies in the loop with a simulator."""
+FLIGHT_PLAN: Final = 0
+"""Which it flies in the real aircraft."""
 
 # So many times as long as the way takes at the planned speeds: a route that is not flown by then never is.
 _SLOWEST: Final = 3.0
@@ -35,16 +37,16 @@ class Route:
         """After so long a flight of it has not come to its end, and will not."""
         return _SETTLE_S + _SLOWEST * sum(self._legs_s())
 
-    def commands(self) -> Iterator[tuple[str, tuple[float, ...]]]:
+    def commands(self, plan: int = HIL_PLAN) -> Iterator[tuple[str, tuple[float, ...]]]:
         """What makes the board fly it: names and values."""
-        if self.is_on_board:
+        if self.is_on_board and plan == HIL_PLAN:
             yield f"hil_load_{self.name}", ()
             return
-        yield "mission_begin", (HIL_PLAN, len(self.waypoints))
+        yield "mission_begin", (plan, len(self.waypoints))
         for index, one in enumerate(self.waypoints):
             place = (one.latitude_deg, one.longitude_deg, one.altitude_ft, one.speed_kt)
-            yield "mission_item", (HIL_PLAN, index, *place)
-        yield "mission_commit", (HIL_PLAN,)
+            yield "mission_item", (plan, index, *place)
+        yield "mission_commit", (plan,)
 
     def _legs_s(self) -> Iterator[float]:
         for one, other in zip(self.waypoints, self.waypoints[1:], strict=False):

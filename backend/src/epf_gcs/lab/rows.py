@@ -17,6 +17,7 @@ from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.lab.campaign import Campaign, Order
 from epf_gcs.lab.conditions import GAIN, USUAL
 from epf_gcs.lab.errors import LabError
+from epf_gcs.lab.faults import told
 from epf_gcs.lab.flight import FIGURES, Flight
 
 PARQUET: Final = "flights.parquet"
@@ -44,6 +45,7 @@ def row(order: Order, flight: Flight | None, error: str | None = None) -> Row:
         "number": order.number,
         **{name: _told(conditions[name], type(usual)) for name, usual in USUAL.items()},
         **{f"{GAIN}{name}": _told(value, float) for name, value in order.gains.items()},
+        "faults": told(order.faults),
         "is_safe": flight is not None and flight.is_safe,
         **{name: None if flight is None else _number(read(flight)) for name, read in _OUTCOME.items()},
         "error": error,

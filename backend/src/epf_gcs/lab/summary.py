@@ -109,7 +109,7 @@ def compare(before: Sequence[Row], after: Sequence[Row]) -> Comparison:
     if not pairs:
         raise LabError("the two campaigns have no flight in common")
     for one, other in pairs:
-        if any(one[name] != other[name] for name in NAMES):
+        if any(one.get(name) != other.get(name) for name in (*NAMES, "faults")):
             raise LabError(f"flight {one['number']} was flown in other conditions: only equal ones can be compared")
     better = sum(other["is_safe"] and not one["is_safe"] for one, other in pairs)
     worse = sum(one["is_safe"] and not other["is_safe"] for one, other in pairs)
