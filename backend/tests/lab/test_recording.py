@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flying import fly_wanted
 from epf_gcs.lab.recording import TAG, record
+from epf_gcs.lab.refly import refly
 from epf_gcs.library.about import read_about
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import Places
@@ -65,3 +67,26 @@ def test_laws_that_fly_otherwise_by_now_are_told(flight: Flight, tmp_path: Path)
     with pytest.raises(LabError, match="another flight when it is flown again"):
         record(other, tmp_path)
     assert not (tmp_path / "recordings").exists()
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"faults": ["gyro.drift@3+4=0.002"]},
+        {"faults": ["simulator.pause@4+1"]},
+        {"loop": "aircraft"},
+    ],
+    ids=["a fault", "a pause", "the real aircraft's loop"],
+)
+def test_flights_of_every_kind_are_recorded_and_those_with_a_simulator_flown_again(
+    given: dict[str, Any], tmp_path: Path
+) -> None:
+    plan = [Waypoint(27.9360, -15.3840, 1000.0, 55.0)]
+    conditions = {"loop": given.get("loop", "hil"), "seed": 7}
+    flown = fly_wanted(plan, conditions, faults=given.get("faults", ()), longest_s=9.0)
+    path = Places(tmp_path).recording(record(flown, tmp_path).id)
+    assert read_file(path).is_whole
+    if conditions["loop"] == "hil":
+        found = refly(path)
+        assert found.first is None, "\n".join(found.lines())
+        assert found.frames > 440

@@ -95,7 +95,7 @@ class FaultyLockStep(LockStep):
             self._tick()
             pause.show()
             if pause.fault.kind == "pause" and self._newest:
-                self._tell(self._newest)
+                self._take(self._laws.feed(self._newest))
 
     def _start_anew(self) -> None:
         self._laws.close()
@@ -124,7 +124,7 @@ class FaultyLockStep(LockStep):
             if reset.fault.is_on(self.time_s):
                 reset.show()
                 arrived = []
-        answers = [answer for told in arrived if (answer := self._feed(told))]
+        answers = [answer for told in arrived if (answer := self._laws.feed(told))]
         self._newest = arrived[-1] if arrived else self._newest
         for line in self._lines:
             answers = line.to_station(self.time_s, answers)

@@ -31,20 +31,19 @@ class Moment(NamedTuple):
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Flight(Figures):
     """What was flown, in which conditions, and the figures of it, from the simulator's truth. `upset`: how it ended
-    before its time; None: its end is the route's, or time was up. `library`: the laws; None: this station's own.
-    `bounds`: what `check` held it against. `longest_s`: when it was ended at the latest. `evidence`: what shows that
-    each fault was there."""
+    before its time; None: its end is the route's, or time was up. `evidence`: what shows that each fault was there.
+    `library`: the laws; None: this station's own. `bounds`: what `check` held it against."""
 
     route: Route
     conditions: Conditions
     gains: Mapping[str, float]
     truth: Truth
     upset: Upset | None
-    library: Path | None = None
-    bounds: dict[str, float] = field(default_factory=dict, compare=False)
-    longest_s: float = math.inf
     faults: tuple[Fault, ...] = ()
     evidence: tuple[str, ...] = ()
+    longest_s: float = math.inf
+    library: Path | None = None
+    bounds: dict[str, float] = field(default_factory=dict, compare=False)
 
     @property
     def is_safe(self) -> bool:
@@ -101,7 +100,7 @@ def fly(
 ) -> Flight:
     """Fly a route from its start to its end, or for so long, in lock-step. Raises LabError if it cannot be flown as
     asked, or if a fault that was asked for was not there."""
-    with loop_of(conditions, library, faults) as loop:
+    with _loop(conditions, library, faults) as loop:
         truth = fly_in(loop, route, conditions, gains or {}, longest_s)
         figures = measure(truth, route.waypoints)
         if conditions.law == LINE:
@@ -113,22 +112,11 @@ def fly(
             gains=dict(gains or {}),
             truth=truth,
             upset=loop.upset,
-            library=library,
-            longest_s=longest_s,
             faults=tuple(faults),
             evidence=loop.evidence() if isinstance(loop, FaultyLockStep) else (),
+            longest_s=longest_s,
+            library=library,
         )
-
-
-def loop_of(
-    conditions: Conditions, library: Path | None, faults: Sequence[Fault], kept_by: type[LockStep] | None = None
-) -> LockStep:
-    """A loop for these conditions and faults; `kept_by` sees all that passes in it."""
-    kind = AircraftLoop if conditions.loop == "aircraft" else FaultyLockStep if faults else LockStep
-    made = kind if kept_by is None else type(kept_by.__name__, (kept_by, kind), {})
-    given = (faults,) if issubclass(kind, FaultyLockStep) else ()
-    loop: LockStep = made(conditions.options(), *given, library)
-    return loop
 
 
 def fly_in(
@@ -158,6 +146,12 @@ FIGURES: Final[Mapping[str, Callable[[Flight], float]]] = {
 """The figures by the names that a campaign's columns and bounds have; NaN for one of nothing."""
 AT_LEAST: Final = frozenset({"waypoints_reached", "captured_honestly"})
 """Figures of which more is better."""
+
+
+def _loop(conditions: Conditions, library: Path | None, faults: Sequence[Fault]) -> LockStep:
+    if conditions.loop == "aircraft":
+        return AircraftLoop(conditions.options(), faults, library)
+    return FaultyLockStep(conditions.options(), faults, library) if faults else LockStep(conditions.options(), library)
 
 
 def _changed(conditions: Conditions) -> list[str]:

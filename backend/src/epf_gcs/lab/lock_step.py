@@ -211,11 +211,7 @@ class LockStep:
         return TO_BOARD.header + body + _WORD.pack(-sum(_TOLD_WORDS.unpack(body)) & MASK) + END
 
     def _tell(self, data: bytes) -> None:
-        self._take(self._feed(data))
-
-    def _feed(self, data: bytes) -> bytes:
-        """Give the board some bytes; its answer."""
-        return self._laws.feed(data)
+        self._take(self._laws.feed(data))
 
     def _take(self, data: bytes) -> None:
         """What the station does with the board's frames."""

@@ -7,6 +7,7 @@ holds what the board was told, and what it made of that.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final, cast
@@ -17,8 +18,11 @@ from epf_gcs import __version__
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
 from epf_gcs.data_folder.whereabouts import of_running
 from epf_gcs.flight.recording.recording_file import RecordingFile
+from epf_gcs.lab.aircraft_loop import AircraftLoop
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.flight import Flight, Moment, fly_in, loop_of
+from epf_gcs.lab.faulty import FaultyLockStep
+from epf_gcs.lab.flight import Flight, Moment, fly_in
+from epf_gcs.lab.laws import Laws
 from epf_gcs.lab.lock_step import LockStep
 from epf_gcs.library.about import About, write_about
 from epf_gcs.recordings import notes
@@ -82,21 +86,38 @@ def record(flight: Flight, data_dir: Path, title: str = "") -> Recorded:
             raise LabError(f"{data_dir} takes no recording: {error.strerror or error}") from error
 
 
-def _recorded(flight: Flight) -> _RecordedLockStep:
-    """The loop that the flight was flown in, of which everything is kept."""
-    loop = loop_of(flight.conditions, flight.library, flight.faults, _RecordedLockStep)
-    return cast(_RecordedLockStep, loop)
+class _Tap:
+    """A board of which every byte is kept, each way; all else is the board's."""
+
+    def __init__(self, laws: Laws, keep: Callable[[int, bytes], None]) -> None:
+        self._laws = laws
+        self._keep = keep
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._laws, name)
+
+    def feed(self, data: bytes) -> bytes:
+        self._keep(BOARD_SENT, data)
+        answer = self._laws.feed(data)
+        self._keep(BOARD_RECEIVED, answer)
+        return answer
+
+    def send_streams(self, task: int) -> bytes:
+        sent = self._laws.send_streams(task)
+        self._keep(BOARD_RECEIVED, sent)
+        return sent
 
 
-class _RecordedLockStep(LockStep):
+class _RecordedLoop(LockStep):
     """A loop of which every byte is kept, with its time in the simulation."""
 
-    def __init__(self, options: SimulationOptions, *others: Any) -> None:
+    def __init__(self, options: SimulationOptions, *arguments: Any) -> None:
         self._said: list[tuple[float, int, bytes]] = []
         self._writer = RowWriter(options.profile)
         self._profile = options.profile
         self._heartbeat_every = round(_HEARTBEAT_PERIOD_S * options.rate_hz)
-        super().__init__(options, *others)
+        self._frames = 0
+        super().__init__(options, *arguments)
 
     def greet(self) -> None:
         """Ask the board what a station asks first."""
@@ -136,13 +157,7 @@ class _RecordedLockStep(LockStep):
                 notes.IDENTITY,
                 {"station": __version__, "aircraft": flight.conditions.aircraft, "operator": _BY, "emulated": True},
             ),
-            (
-                notes.PLAN,
-                {
-                    "plan": "flight" if flight.conditions.loop == "aircraft" else "hil",
-                    "waypoints": [asdict(one) for one in flight.route.waypoints],
-                },
-            ),
+            (notes.PLAN, {"plan": "hil", "waypoints": [asdict(one) for one in flight.route.waypoints]}),
             (notes.LINE, {**line, "line": "board", "profile": None, "emulated": True}),
             (notes.LINE, {**line, "line": "simulator", "profile": self._profile, "emulated": False}),
         ]
@@ -156,14 +171,26 @@ class _RecordedLockStep(LockStep):
             self._take(self._laws.send_streams(_HEARTBEAT_TASK))
         return place
 
-    def _feed(self, data: bytes) -> bytes:
-        self._keep(BOARD_SENT, data)
-        return super()._feed(data)
-
-    def _take(self, data: bytes) -> None:
-        self._keep(BOARD_RECEIVED, data)
-        super()._take(data)
+    def _new_board(self) -> Laws:
+        return cast("Laws", _Tap(super()._new_board(), self._keep))
 
     def _keep(self, channel: int, data: bytes) -> None:
         if data:
             self._said.append((self.time_s, channel, data))
+
+
+class _RecordedFaultyLoop(_RecordedLoop, FaultyLockStep):
+    """The same with faults."""
+
+
+class _RecordedAircraftLoop(_RecordedLoop, AircraftLoop):
+    """The same of the real aircraft's loop."""
+
+
+def _recorded(flight: Flight) -> _RecordedLoop:
+    options = flight.conditions.options()
+    if flight.conditions.loop == "aircraft":
+        return _RecordedAircraftLoop(options, flight.faults, flight.library)
+    if flight.faults:
+        return _RecordedFaultyLoop(options, flight.faults, flight.library)
+    return _RecordedLoop(options, flight.library)

@@ -22,7 +22,7 @@ from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.lab.laws import FMS_TASK, Laws
 from epf_gcs.lab.recorded_line import STEP, SURFACES, Answered, RecordedLine, Told, read_line
 
-TOLERANCE: Final = 0.05
+TOLERANCE: Final = 0.01
 """By how much a surface (-1..1) may differ where the station guessed the times of the board's steps."""
 AFTER_S: Final = (0.0, 0.1, 1.0, 10.0, 60.0)
 """How long after the first difference its growth is told."""
@@ -204,6 +204,7 @@ class _Flying:
         if answered.step is not None:
             now_ms = answered.step[0]
         self._laws.advance((now_ms - self._clock_ms) & MASK)
+        self._laws.supervise()
         self._clock_ms = now_ms
 
     def _feed_streams(self) -> None:
