@@ -6,7 +6,8 @@
 #include "common/limit.h"
 #include "common/units.h"
 
-static const float steepest_approach_rad = 1.2F; ///< angle to the line far away from it
+static const float steepest_approach_rad = 1.3F; ///< angle to the line far away from it
+static const float half_pi = 1.57079633F;
 static const float slowest_m_s = 5.0F;           ///< over the ground; below it the field would have no width
 static const float aileron_limit = 0.7F;
 static const float integral_limit = 0.2F;
@@ -25,9 +26,9 @@ static float bank_deg(const line_follow_gains_t* gains, const line_follow_target
 {
     const float speed_m_s = fmaxf(input->ground_speed_m_s, slowest_m_s);
     const float width_m = speed_m_s * gains->approach_time_s;
-    const float distance = target->right_m / (width_m * steepest_approach_rad);
+    const float distance = half_pi * target->right_m / (width_m * steepest_approach_rad);
     const float off_rad = angle_to_rad(angle_wrap_180(input->track_deg - target->course_deg));
-    const float approach_rad = -steepest_approach_rad * atanf(distance);
+    const float approach_rad = -steepest_approach_rad / half_pi * atanf(distance);
     // how the field turns as the aircraft flies through it
     const float slope_per_m = -1.0F / (width_m * (1.0F + distance * distance));
     const float field_rad_s = slope_per_m * speed_m_s * sinf(off_rad) + target->curvature_per_m * speed_m_s;

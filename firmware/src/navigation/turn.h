@@ -10,7 +10,7 @@ typedef struct
 {
     float lead_m;   ///< along the leg before the waypoint, >= 0
     float radius_m; ///< of the turn over the ground where it begins
-    bool is_sharp;  ///< more than 90 deg with the lead capped: the aircraft passes beyond the next leg and comes back
+    bool is_sharp;  ///< the lead is capped: the aircraft swings beyond the next leg and comes back
 } turn_t;
 
 /// The turn from one course to another at a bank, through the estimated wind: the way through the air is part of a
