@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from epf_gcs.lab.faults import Asked
     from epf_gcs.lab.flight import Flight
     from epf_gcs.lab.watched import Watched, WatchedAircraft
+    from epf_gcs.simulator.simulation import SimulationOptions
 
 FOLDER: Final = "epf-lab-flights"
 """The data folder for the flights of failed tests, below pytest's root."""
@@ -34,7 +35,7 @@ class Lab:
     conditions of every flight that does not say otherwise."""
 
     def __init__(self, library: Path | None = None, **usual: Any) -> None:
-        self._library = library
+        self.library = library
         self._usual = usual
         self.flights: list[Flight] = []
 
@@ -55,21 +56,28 @@ class Lab:
         """
         from epf_gcs.lab.flying import fly_wanted  # noqa: PLC0415 - see above
 
-        flown = fly_wanted(route, {**self._usual, **conditions}, gains, self._library, faults, longest_s)
+        flown = fly_wanted(route, {**self._usual, **conditions}, gains, self.library, faults, longest_s)
         self.flights.append(flown)
         return flown
 
-    def watch(self, loop: str = "hil", faults: Iterable[Asked] = (), **conditions: Any) -> Watched | WatchedAircraft:
-        """A board in its aircraft, to be flown step by step: on the path of HIL, or in the loop of the real aircraft.
+    def watch(self, faults: Iterable[Asked] = (), **conditions: Any) -> Watched:
+        """A board on the path of HIL, to be flown step by step. Raises LabError as `fly`."""
+        from epf_gcs.lab.faults import read  # noqa: PLC0415 - see above
+        from epf_gcs.lab.watched import Watched  # noqa: PLC0415
 
-        Raises LabError as `fly`.
-        """
+        return Watched(self._options(conditions), read(faults), self.library)
+
+    def watch_aircraft(self, faults: Iterable[Asked] = (), **conditions: Any) -> WatchedAircraft:
+        """The same in the loop of the real aircraft."""
+        from epf_gcs.lab.faults import read  # noqa: PLC0415 - see above
+        from epf_gcs.lab.watched import WatchedAircraft  # noqa: PLC0415
+
+        return WatchedAircraft(self._options(conditions), read(faults), self.library)
+
+    def _options(self, conditions: Mapping[str, Any]) -> SimulationOptions:
         from epf_gcs.lab.conditions import Conditions  # noqa: PLC0415 - see above
-        from epf_gcs.lab.faults import read  # noqa: PLC0415
-        from epf_gcs.lab.watched import Watched, WatchedAircraft  # noqa: PLC0415
 
-        options = Conditions.of({**self._usual, **conditions, "loop": loop}).options()
-        return (WatchedAircraft if loop == "aircraft" else Watched)(options, read(faults), self._library)
+        return Conditions.of({**self._usual, **conditions}).options()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

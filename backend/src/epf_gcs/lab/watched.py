@@ -107,4 +107,5 @@ class Watched(_Watching, FaultyLockStep):
 
 
 class WatchedAircraft(_Watching, AircraftLoop):
-    """On the loop of the real aircraft. `channels`: the transmitter's aileron, elevator, throttle, rudder, switches."""
+    """In the loop of the real aircraft. `channels`: aileron, elevator, throttle and rudder of the transmitter, and its
+    switches."""

@@ -1,1 +1,1 @@
-"""Suites that judge a board's laws by what the simulator flew: `pytest --pyargs epf_gcs.lab.suites`."""
+"""Suites that judge laws by what the simulator flew: `epf-lab test`, or `pytest --pyargs epf_gcs.lab.suites`."""

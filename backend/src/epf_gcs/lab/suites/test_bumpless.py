@@ -6,7 +6,6 @@ import pytest
 
 from epf_gcs.lab.bounds import Bounds
 from epf_gcs.lab.plugin import Lab
-from epf_gcs.lab.watched import Watched
 
 # In a frame of 20 ms, of half a surface's travel: no eye sees less.
 _MOVE = 0.02
@@ -22,7 +21,6 @@ _MOVE = 0.02
 )
 def test_the_autopilot_takes_over_and_hands_back(lab: Lab, bounds: Bounds, stick: tuple[float, float, float]) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         loop.go(3.0)
         loop.stick = stick
         before = loop.go(8.0)
@@ -42,7 +40,6 @@ def test_the_autopilot_takes_over_and_hands_back(lab: Lab, bounds: Bounds, stick
 
 def test_the_stick_moves_nothing_while_the_autopilot_flies(lab: Lab, bounds: Bounds) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         loop.command("autopilot_on")
         loop.go(8.0)
         loop.stick = (1.0, 1.0, 1.0)
@@ -51,21 +48,26 @@ def test_the_stick_moves_nothing_while_the_autopilot_flies(lab: Lab, bounds: Bou
         bounds.above("largest move once the pilot flies", loop.go(1.0).largest_move(), _MOVE)
 
 
-def test_the_pilots_stick_turns_the_aircraft_the_way_it_says(lab: Lab, bounds: Bounds) -> None:
+@pytest.mark.parametrize(
+    ("stick", "angle", "sign"),
+    [
+        pytest.param((0.1, 0.0, 0.0), "pitch_deg", 1.0, id="nose up"),
+        pytest.param((-0.1, 0.0, 0.0), "pitch_deg", -1.0, id="nose down"),
+        pytest.param((0.0, 0.15, 0.0), "roll_deg", 1.0, id="right"),
+        pytest.param((0.0, -0.15, 0.0), "roll_deg", -1.0, id="left"),
+    ],
+)
+def test_the_pilots_stick_turns_the_aircraft_the_way_it_says(
+    lab: Lab, bounds: Bounds, stick: tuple[float, float, float], angle: str, sign: float
+) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
-        loop.go(3.0)
-        loop.stick = (0.15, 0.0, 0.0)
-        pitch_deg = loop.go(1.5).pitch_deg
-        bounds.above("nose up", pitch_deg[-1] - pitch_deg[0], 3.0, "deg")
-        loop.stick = (0.0, 0.15, 0.0)
-        bounds.above("bank to the right", loop.go(2.0).roll_deg[-1], 5.0, "deg")
-        loop.stick = (0.0, -0.15, 0.0)
-        bounds.below("bank to the left", loop.go(3.0).roll_deg[-1], -2.0, "deg")
+        loop.go(2.0)
+        loop.stick = stick
+        turned_deg = sign * getattr(loop.go(1.5), angle)
+        bounds.above("turned", turned_deg[-1] - turned_deg[0], 3.0, "deg")
 
 
 def test_the_throttle_lever_is_the_pilots_with_the_autopilot_off(lab: Lab, bounds: Bounds) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         lever = loop.go(1.0).throttle[0]
         bounds.below("difference from the lever", abs(loop.go(3.0).throttle[-1] - lever), 0.02)

@@ -11,7 +11,7 @@ import pytest
 from epf_gcs.lab.bounds import Bounds
 from epf_gcs.lab.plugin import Lab
 from epf_gcs.lab.suites.places import CRUISE_FT, CRUISE_KT
-from epf_gcs.lab.watched import Watch, Watched, WatchedAircraft
+from epf_gcs.lab.watched import Watch
 
 _BEGIN_S: Final = 4.0
 # A frame or two may pass until an action shows in the surfaces.
@@ -21,8 +21,7 @@ _LEVEL_FT: Final = 60.0
 
 def _flown(lab: Lab, faults: list[str], seconds: float, *, autopilot: bool) -> Watch:
     """From the start of the faults on."""
-    with lab.watch("aircraft", [f"{fault}@{_BEGIN_S:g}" for fault in faults]) as loop:
-        assert isinstance(loop, WatchedAircraft)
+    with lab.watch_aircraft([f"{fault}@{_BEGIN_S:g}" for fault in faults]) as loop:
         if autopilot:
             loop.command("autopilot_on")
         else:
@@ -48,7 +47,6 @@ def _neutral_from_s(flown: Watch) -> float:
 
 def test_simulator_silent_the_autopilot_keeps_its_surfaces_and_goes_on(lab: Lab, bounds: Bounds) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         loop.command("servos_control_mode_hil")
         loop.command("autopilot_on")
         loop.go(5.0)
@@ -61,7 +59,6 @@ def test_simulator_silent_the_autopilot_keeps_its_surfaces_and_goes_on(lab: Lab,
 
 def test_simulator_silent_the_pilots_surfaces_go_neutral_after_500_ms(lab: Lab, bounds: Bounds) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         loop.command("servos_control_mode_hil")
         loop.stick = (0.05, 0.1, 0.2)
         loop.go(3.0)
@@ -74,7 +71,6 @@ def test_simulator_silent_the_pilots_surfaces_go_neutral_after_500_ms(lab: Lab, 
 
 def test_a_paused_simulator_that_repeats_its_frame_winds_nothing_up(lab: Lab, bounds: Bounds) -> None:
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         loop.command("autopilot_on")
         loop.go(2.0)
         loop.stick = (0.0, 0.0, 0.0)

@@ -22,13 +22,13 @@ from epf_gcs.lab.suites.places import SHORT
 def test_a_worse_link(lab: Lab, bounds: Bounds, link: dict[str, Any]) -> None:
     flight = lab.fly(SHORT, **link)
     bounds.equal("waypoints at which the aircraft was", flight.captured_honestly, len(SHORT))
-    bounds.below("off the way, rms", flight.near.rms_m, 60.0, "m")
-    bounds.below("altitude, rms", flight.altitude.settled.rms_ft, 30.0, "ft")
+    bounds.below("off the way, rms", flight.near.rms_m, 25.0, "m")
+    bounds.below("altitude, rms", flight.altitude.settled.rms_ft, 14.0, "ft")
 
 
 @pytest.mark.parametrize("rate_hz", [30, 100])
 def test_another_rate_of_frames(lab: Lab, bounds: Bounds, rate_hz: int) -> None:
     flight = lab.fly(SHORT, rate_hz=rate_hz)
     bounds.equal("waypoints at which the aircraft was", flight.captured_honestly, len(SHORT))
-    bounds.below("off the way, rms", flight.near.rms_m, 60.0, "m")
-    bounds.below("altitude, rms", flight.altitude.settled.rms_ft, 25.0, "ft")
+    bounds.below("off the way, rms", flight.near.rms_m, 25.0, "m")
+    bounds.below("altitude, rms", flight.altitude.settled.rms_ft, 14.0, "ft")

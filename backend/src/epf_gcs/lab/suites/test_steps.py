@@ -30,7 +30,6 @@ _SETTLE_S: Final = 25.0
 def steady(lab: Lab) -> Iterator[Watched]:
     """In steady flight straight on, with the steps as further waypoints."""
     with lab.watch() as loop:
-        assert isinstance(loop, Watched)
         for name, values in Route("steps", _PLAN).commands():
             loop.command(name, *values)
         loop.command("autopilot_on")
