@@ -45,6 +45,7 @@ _PICTURES: Final = "frontend/public/guide"
 _PICTURE: Final = re.compile(r"^!\[(.+)\]\(([a-z-]+)\)$", re.MULTILINE)
 # For the search in pages that are opened without a server, from the internet; the search of a served site needs it not.
 _SHIM: Final = re.compile(r'<script src="?https://unpkg\.com/iframe-worker/shim"?[^>]*></script>')
+_REFERENCES: Final = ("formats", "lab", "programs", "mavlink")
 _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
     "es": {
         "guide": "Guía del piloto",
@@ -74,7 +75,7 @@ def gather(root: Path, language: str, folder: Path, openapi: Mapping[str, Any]) 
     shutil.copytree(root / "frontend" / "docs", folder / "pictures")
     for name, text in interface.pages(openapi).items():
         _write(folder / "reference" / "interface" / name, words["english"] + text)
-    for name in ("formats", "lab"):
+    for name in _REFERENCES:
         text = (root / "docs" / language / f"{name}.md").read_text(encoding="utf-8")
         _write(folder / "reference" / f"{name}.md", text)
     _write(folder / "index.md", (root / "docs" / language / "index.md").read_text(encoding="utf-8"))
@@ -138,8 +139,7 @@ def config(language: str, docs: Path) -> str:
                 *(
                     "reference/wire.md",
                     "reference/messages.md",
-                    "reference/formats.md",
-                    "reference/lab.md",
+                    *(f"reference/{name}.md" for name in _REFERENCES),
                     "reference/interface/index.md",
                 ),
                 *(f"reference/interface/{name}" for name in shown),
