@@ -68,6 +68,11 @@ class Peers:
         self._peers: dict[object, Peer] = {}
         self._kept: set[object] = set()
 
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return len(self._peers)
+
     def send(self, message: Message) -> None:
         """Send it to everybody."""
         for peer in list(self._peers.values()):
