@@ -227,7 +227,8 @@ part-test-protocol: part-test-tools
 part-test-firmware: part-test-protocol
 part-test-frontend: part-test-firmware
 
-build: frontend/dist/index.html $(DONE)/arm ## what the tests fly and look at
+# What the tests fly and look at.
+build: frontend/dist/index.html $(DONE)/arm
 	@$(MAKE) --no-print-directory -C firmware -j 2 board board-asan flight-lib $(if $(shell bash .ci/arm --lacking),,images)
 
 .PHONY: fresh-results

@@ -11,19 +11,10 @@ import httpx
 import pytest
 from lxml import etree
 
-from tests.flights.flown_flights import recording
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
 from tests.web.interface.flights.test_routes import flown, listed, upload
-
-
-@pytest.fixture
-def flight(gateway: Gateway) -> str:
-    """An imported flight that is indexed."""
-    flight = str(upload(gateway, recording(20))["flight"])
-    eventually(lambda: gateway.http.get(f"/flights/{flight}").json()["state"] == "indexed", "it is indexed")
-    return flight
 
 
 def started(gateway: Gateway, flight: str, **asked: Any) -> str:
@@ -36,9 +27,14 @@ def job(gateway: Gateway, job_id: str) -> dict[str, Any]:
     return cast(dict[str, Any], gateway.http.get(f"/jobs/{job_id}").raise_for_status().json())
 
 
-def left(gateway: Gateway) -> list[str]:
+def left(gateway: Gateway) -> set[str]:
     """What lies where exports are made."""
-    return [path.name for path in (Path(gateway.flight_thread.data_dir) / "exports").glob("*")]
+    return {path.name for path in (Path(gateway.flight_thread.data_dir) / "exports").glob("*")}
+
+
+def exports(gateway: Gateway) -> dict[str, str]:
+    """The state of each export by its job."""
+    return {one["id"]: one["state"] for one in gateway.http.get("/jobs").json()["jobs"] if one["kind"] == "export"}
 
 
 def made_by(gateway: Gateway, job: str) -> str:
@@ -46,44 +42,45 @@ def made_by(gateway: Gateway, job: str) -> str:
     return gateway.http.get(f"/jobs/{job}/result").text
 
 
-def test_an_export_is_a_job_whose_file_is_fetched(gateway: Gateway, flight: str) -> None:
-    with gateway.stream() as stream:
-        job_id = started(gateway, flight, format="csv", topics=["gps"], from_s=5, to_s=10)
+def test_an_export_is_a_job_whose_file_is_fetched(station: Gateway, kept: str) -> None:
+    with station.stream() as stream:
+        job_id = started(station, kept, format="csv", topics=["gps"], from_s=5, to_s=10)
         while (told := stream.event("job"))["id"] != job_id or told["state"] != "done":
             assert told["state"] != "failed", told
-    assert (told["kind"], told["flight"], told["progress"]) == ("export", flight, 1.0)
-    assert gateway.http.get(f"/jobs/{job_id}").json()["file"] == f"{flight}-gps.csv", "known before it is made"
-    assert told["result"]["name"] == f"{flight}-gps.csv"
-    answer = gateway.http.get(f"/jobs/{job_id}/result").raise_for_status()
+    assert (told["kind"], told["flight"], told["progress"]) == ("export", kept, 1.0)
+    assert station.http.get(f"/jobs/{job_id}").json()["file"] == f"{kept}-gps.csv", "known before it is made"
+    assert told["result"]["name"] == f"{kept}-gps.csv"
+    answer = station.http.get(f"/jobs/{job_id}/result").raise_for_status()
     assert len(answer.content) == told["result"]["bytes"]
     assert len(answer.text.splitlines()) == 51 + 1
 
 
-def test_one_request_makes_and_sends_the_file_and_keeps_nothing(gateway: Gateway, flight: str) -> None:
-    answer = gateway.http.get(f"/flights/{flight}/export", params={"format": "kmz", "lang": "en"}).raise_for_status()
+def test_one_request_makes_and_sends_the_file_and_keeps_nothing(station: Gateway, kept: str) -> None:
+    before = left(station)
+    answer = station.http.get(f"/flights/{kept}/export", params={"format": "kmz", "lang": "en"}).raise_for_status()
     assert answer.headers["content-type"] == "application/vnd.google-earth.kmz"
-    assert f'filename="{flight}.kmz"' in answer.headers["content-disposition"]
+    assert f'filename="{kept}.kmz"' in answer.headers["content-disposition"]
     with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
         assert b"HIL track" in archive.read("doc.kml")
-    single = gateway.http.get(f"/flights/{flight}/export", params={"format": "csv", "topics": "gps"})
+    single = station.http.get(f"/flights/{kept}/export", params={"format": "csv", "topics": "gps"})
     assert single.headers["content-type"].startswith("text/csv")
-    gpx = gateway.http.get(f"/flights/{flight}/export", params={"format": "gpx"})
+    gpx = station.http.get(f"/flights/{kept}/export", params={"format": "gpx"})
     assert etree.fromstring(gpx.content).get("version") == "1.1"
-    eventually(lambda: left(gateway) == [], "what was fetched is deleted")
+    eventually(lambda: left(station) <= before, "what was fetched is deleted")
 
 
-def test_a_file_whose_language_nobody_names_is_in_the_browsers(gateway: Gateway, flight: str) -> None:
+def test_a_file_whose_language_nobody_names_is_in_the_browsers(station: Gateway, kept: str) -> None:
     for accepted, name, title in (
         ("es-ES,en;q=0.5", "Recorrido HIL", "Recorrido"),
         ("en-US,es;q=0.5", "HIL track", "Track"),
         ("de", "HIL track", "Track"),
     ):
         headers = {"Accept-Language": accepted}
-        asked = gateway.http.get(f"/flights/{flight}/export", params={"format": "kml"}, headers=headers)
+        asked = station.http.get(f"/flights/{kept}/export", params={"format": "kml"}, headers=headers)
         assert name in asked.raise_for_status().text
-        assert title in gateway.http.get("/track.kml", headers=headers).raise_for_status().text
-        job = gateway.http.post(f"/flights/{flight}/exports", json={"format": "kml"}, headers=headers).json()["job"]
-        assert name in made_by(gateway, job)
+        assert title in station.http.get("/track.kml", headers=headers).raise_for_status().text
+        job = station.http.post(f"/flights/{kept}/exports", json={"format": "kml"}, headers=headers).json()["job"]
+        assert name in made_by(station, job)
 
 
 def test_the_recording_exported_and_imported_again_is_the_same_flight(gateway: Gateway, flight: str) -> None:
@@ -105,47 +102,47 @@ def test_the_recording_exported_and_imported_again_is_the_same_flight(gateway: G
     assert {name: found[name] for name in before} == {name: restored[name] for name in before}
 
 
-def test_a_cancelled_export_leaves_nothing(gateway: Gateway, flight: str) -> None:
-    job_id = started(gateway, flight, format="mcap-decoded")
-    gone = gateway.http.delete(f"/jobs/{job_id}").raise_for_status().json()
+def test_a_cancelled_export_leaves_nothing(station: Gateway, kept: str) -> None:
+    before = left(station)
+    job_id = started(station, kept, format="mcap-decoded")
+    gone = station.http.delete(f"/jobs/{job_id}").raise_for_status().json()
     assert gone["state"] in ("cancelled", "done")
-    eventually(lambda: gone["state"] == "done" or left(gateway) == [], "nothing stays")
+    eventually(lambda: gone["state"] == "done" or left(station) <= before, "nothing stays")
 
 
-def test_who_hangs_up_cancels_the_export(gateway: Gateway, flight: str) -> None:
-    with httpx.Client(base_url=gateway.http.base_url, timeout=0.05) as impatient, pytest.raises(httpx.TimeoutException):
-        impatient.get(f"/flights/{flight}/export", params={"format": "mcap-decoded"})
+def test_who_hangs_up_cancels_the_export(station: Gateway, kept: str) -> None:
+    before, others = left(station), exports(station).keys()
+    with httpx.Client(base_url=station.http.base_url, timeout=0.05) as impatient, pytest.raises(httpx.TimeoutException):
+        impatient.get(f"/flights/{kept}/export", params={"format": "mcap-decoded"})
     eventually(
-        lambda: (
-            [one["state"] for one in gateway.http.get("/jobs").json()["jobs"] if one["kind"] == "export"]
-            == ["cancelled"]
-        ),
+        lambda: [state for job, state in exports(station).items() if job not in others] == ["cancelled"],
         "the job is cancelled",
     )
-    assert left(gateway) == []
+    assert left(station) <= before
 
 
-def test_what_can_never_be_exported_is_refused_at_once(gateway: Gateway, flight: str) -> None:
+def test_what_can_never_be_exported_is_refused_at_once(station: Gateway, kept: str) -> None:
+    before = exports(station)
     for asked, code in (
         ({"format": "kml", "topics": ["gps"]}, "export_topics_unused"),
         ({"format": "csv", "from_s": 5.0, "to_s": 5.0}, "export_stretch_empty"),
         ({"format": "docx"}, "invalid_request"),
         ({"format": "csv", "topics": ["../x"]}, "invalid_request"),
     ):
-        answer = gateway.http.post(f"/flights/{flight}/exports", json=asked)
+        answer = station.http.post(f"/flights/{kept}/exports", json=asked)
         assert (answer.status_code, answer.json()["code"]) == (422, code)
-    assert all(one["kind"] != "export" for one in gateway.http.get("/jobs").json()["jobs"])
+    assert exports(station).keys() <= before.keys()
 
 
-def test_what_the_worker_refuses_is_the_answer(gateway: Gateway, flight: str) -> None:
-    unknown = gateway.http.get(f"/flights/{flight}/export", params={"format": "csv", "topics": "nothing"})
+def test_what_the_worker_refuses_is_the_answer(station: Gateway, kept: str) -> None:
+    unknown = station.http.get(f"/flights/{kept}/export", params={"format": "csv", "topics": "nothing"})
     assert (unknown.status_code, unknown.json()["code"]) == (404, "export_topic_unknown")
-    late = gateway.http.get(f"/flights/{flight}/export", params={"format": "mcap", "from_s": 500})
+    late = station.http.get(f"/flights/{kept}/export", params={"format": "mcap", "from_s": 500})
     assert (late.status_code, late.json()["code"]) == (422, "export_stretch_empty")
-    job_id = started(gateway, flight, format="csv", topics=["nothing"])
-    eventually(lambda: job(gateway, job_id)["state"] == "failed", "the job ends")
-    assert job(gateway, job_id)["fault"]["code"] == "export_topic_unknown"
-    assert gateway.http.get("/flights/20200101T000000Z/export?format=csv").json()["code"] == "flight_unknown"
+    job_id = started(station, kept, format="csv", topics=["nothing"])
+    eventually(lambda: job(station, job_id)["state"] == "failed", "the job ends")
+    assert job(station, job_id)["fault"]["code"] == "export_topic_unknown"
+    assert station.http.get("/flights/20200101T000000Z/export?format=csv").json()["code"] == "flight_unknown"
 
 
 def test_a_flight_that_is_recorded_is_exported_when_it_has_ended(gateway: Gateway, board: FakeBoard) -> None:
@@ -181,7 +178,7 @@ def test_a_file_that_nobody_fetches_goes_after_an_hour_and_at_once_where_room_is
     eventually(lambda: job(gateway, job_id)["result"] is None, "it goes")
     assert job(gateway, job_id)["state"] == "done"
     assert gateway.http.get(f"/jobs/{job_id}/result").json()["code"] == "job_over"
-    assert left(gateway) == []
+    assert left(gateway) == set()
     monkeypatch.setattr("epf_gcs.library.flights._RESULT_KEPT_S", 3600.0)
     job_id = exported()
     gateway.http.patch(f"/flights/{flight}", json={"pinned": True}).raise_for_status()
@@ -191,10 +188,10 @@ def test_a_file_that_nobody_fetches_goes_after_an_hour_and_at_once_where_room_is
     assert listed(gateway)["total"] == 1
 
 
-def test_two_exports_of_one_flight_at_once_are_two_whole_files(gateway: Gateway, flight: str) -> None:
-    jobs = [started(gateway, flight, format="mcap-decoded") for _ in range(2)]
-    eventually(lambda: all(job(gateway, one)["state"] == "done" for one in jobs), "both are made")
-    first, second = (gateway.http.get(f"/jobs/{one}/result").raise_for_status().content for one in jobs)
+def test_two_exports_of_one_flight_at_once_are_two_whole_files(station: Gateway, kept: str) -> None:
+    jobs = [started(station, kept, format="mcap-decoded") for _ in range(2)]
+    eventually(lambda: all(job(station, one)["state"] == "done" for one in jobs), "both are made")
+    first, second = (station.http.get(f"/jobs/{one}/result").raise_for_status().content for one in jobs)
     assert first == second
     assert first.endswith(b"\x89MCAP0\r\n")
 
@@ -205,4 +202,4 @@ def test_a_flight_that_is_deleted_while_it_is_exported_leaves_no_file(gateway: G
     assert job(gateway, job_id)["state"] in ("cancelled", "done")
     assert gateway.http.get(f"/flights/{flight}/export", params={"format": "gpx"}).status_code == 404
     if job(gateway, job_id)["state"] == "cancelled":
-        assert left(gateway) == []
+        assert left(gateway) == set()

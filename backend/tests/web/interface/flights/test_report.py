@@ -9,24 +9,12 @@ from typing import Any, cast
 import pytest
 from lxml import html
 
-from tests.flights.flown_flights import recording
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
-from tests.web.interface.flights.test_routes import NOW_NS, upload
+from tests.web.interface.flights.conftest import indexed
+from tests.web.interface.flights.test_routes import NOW_NS
 from tests.web.interface.flights.test_routes import recording as short_recording
-
-
-@pytest.fixture
-def flight(gateway: Gateway) -> str:
-    """An imported flight that is indexed."""
-    return indexed(gateway, recording(20))
-
-
-def indexed(gateway: Gateway, content: bytes) -> str:
-    flight = str(upload(gateway, content)["flight"])
-    eventually(lambda: gateway.http.get(f"/flights/{flight}").json()["state"] == "indexed", "it is indexed")
-    return flight
 
 
 def report(gateway: Gateway, flight: str, **asked: str) -> dict[str, Any]:
@@ -34,25 +22,23 @@ def report(gateway: Gateway, flight: str, **asked: str) -> dict[str, Any]:
     return cast(dict[str, Any], answer.raise_for_status().json())
 
 
-def test_the_report_has_the_figures_of_the_flight_and_says_what_it_cannot_know(gateway: Gateway, flight: str) -> None:
-    found = report(gateway, flight)
-    assert found["flight"] == flight
+def test_the_report_has_the_figures_of_the_flight_and_says_what_it_cannot_know(station: Gateway, kept: str) -> None:
+    found = report(station, kept)
+    assert found["flight"] == kept
     assert found["times"]["duration_s"] == pytest.approx(20.0, abs=0.5)
     assert found["link"]["frames"] > 100
     assert (found["manoeuvres"], found["no_manoeuvres"]) == ([], "no_targets")
     assert found["unknown"]
-    assert report(gateway, flight) == found, "the report that is kept is the one that was made"
+    assert report(station, kept) == found, "the report that is kept is the one that was made"
 
 
 @pytest.mark.parametrize(("lang", "title"), [("es", "Informe de vuelo"), ("en", "Flight report")])
-def test_the_report_is_a_page_of_its_own_in_both_languages(
-    gateway: Gateway, flight: str, lang: str, title: str
-) -> None:
-    answer = gateway.http.get(f"/flights/{flight}/report", params={"format": "html", "lang": lang}).raise_for_status()
+def test_the_report_is_a_page_of_its_own_in_both_languages(station: Gateway, kept: str, lang: str, title: str) -> None:
+    answer = station.http.get(f"/flights/{kept}/report", params={"format": "html", "lang": lang}).raise_for_status()
     assert answer.headers["content-type"].startswith("text/html")
     page = html.fromstring(answer.text)
     assert (page.get("lang"), page.findtext(".//h1")) == (lang, title)
-    assert flight in page.text_content()
+    assert kept in page.text_content()
     assert page.xpath("//script | //link | //*[@src] | //*[@style]") == []
     digest = base64.b64encode(hashlib.sha256(page.findtext(".//style").encode()).digest()).decode()
     policy = answer.headers["content-security-policy"]
@@ -60,11 +46,11 @@ def test_the_report_is_a_page_of_its_own_in_both_languages(
     assert "default-src 'none'" in policy
 
 
-def test_an_earlier_flight_stands_beside_it(gateway: Gateway, flight: str) -> None:
-    other = indexed(gateway, short_recording([NOW_NS, NOW_NS + 5 * 10**9]))
-    assert report(gateway, flight, compare=other)["earlier"]["flight"] == other
+def test_an_earlier_flight_stands_beside_it(station: Gateway, kept: str) -> None:
+    other = indexed(station, short_recording([NOW_NS, NOW_NS + 5 * 10**9]))
+    assert report(station, kept, compare=other)["earlier"]["flight"] == other
     query = {"format": "html", "lang": "en", "compare": other}
-    assert other in gateway.http.get(f"/flights/{flight}/report", params=query).raise_for_status().text
+    assert other in station.http.get(f"/flights/{kept}/report", params=query).raise_for_status().text
 
 
 def test_what_has_no_report_is_refused_with_its_reason(gateway: Gateway, board: FakeBoard) -> None:
