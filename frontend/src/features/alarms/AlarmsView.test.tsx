@@ -2,7 +2,7 @@ import { act, cleanup, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/contract";
-import { aStatus, heldBy } from "../../test/aStatus";
+import { anAround, aStatus, heldBy } from "../../test/aStatus";
 import { type FakeRequest, Station } from "../../test/station";
 import { Tab } from "../../test/tab";
 
@@ -52,6 +52,23 @@ describe("what is wrong", () => {
     expect(items[0]?.textContent).toContain("Se ha perdido el latido de la placa en pty");
     expect(items[0]?.textContent).toContain("ten a mano el transmisor RC");
     expect(items[1]?.textContent).toContain("Batería baja: 9.8 V");
+  });
+
+  test("of the ground says by which heights, and how far off they may be", () => {
+    const terrain = {
+      what: "terrain",
+      in_s: 20,
+      latitude_deg: 28,
+      longitude_deg: -15,
+      altitude_ft: 900,
+    } as const;
+    const heights = [{ name: "isla", datum: null, geoid_m: 42.1 }];
+    const flight = anAround({ blind: null, ground_ft: 900, height_ft: 200, terrain, heights });
+    const ahead = { ...LOST, id: "terrain_ahead", params: { aircraft: "flight" } };
+    station.status(aStatus({ alarms: [ahead], surroundings: { flight, hil: anAround() } }));
+    const [item] = within(panel("Activas")).getAllByRole("listitem");
+    expect(item?.textContent).toContain("las alturas de isla, de las que nadie ha dicho desde dónde cuentan");
+    expect(item?.textContent).toContain("pueden estar mal en 138 ft");
   });
 
   test("is acknowledged one by one, or all at once", async () => {
