@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from html import escape
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
@@ -103,11 +103,13 @@ def _track(legs: Sequence[Leg]) -> str:
     width, height = _WIDTH - 2.0 * _MARGIN, _TRACK_HEIGHT - 2.0 * _MARGIN
     size = max(float(np.ptp(all_east)) / width, float(np.ptp(all_north)) / height, 1e-9)
 
-    def x(value: Any) -> Any:
-        return _MARGIN + (value - all_east.min()) / size
+    west_m, south_m = float(all_east.min()), float(all_north.min())
 
-    def y(value: Any) -> Any:
-        return _TRACK_HEIGHT - _MARGIN - (value - all_north.min()) / size
+    def x(value: Column) -> Column:
+        return (value - west_m) / size + _MARGIN
+
+    def y(value: Column) -> Column:
+        return (south_m - value) / size + (_TRACK_HEIGHT - _MARGIN)
 
     parts = [_polyline("asked", x(east), y(north))]
     for number, leg in enumerate(legs):
@@ -125,13 +127,13 @@ def _plot(title: str, lines: Sequence[Line], at_s: float) -> str:
     first, last = float(times.min()), max(float(times.max()), float(times.min()) + 1e-9)
     low, high = float(values.min()), max(float(values.max()), float(values.min()) + 1.0)
 
-    def x(value: Any) -> Any:
+    def x(value: Column) -> Column:
         return _MARGIN + (value - first) / (last - first) * (_WIDTH - 2 * _MARGIN)
 
-    def y(value: Any) -> Any:
+    def y(value: Column) -> Column:
         return _HEIGHT - _MARGIN / 2 - (value - low) / (high - low) * (_HEIGHT - _MARGIN)
 
-    moment = x(min(max(at_s, first), last))
+    moment = float(x(np.array([min(max(at_s, first), last)]))[0])
     parts = [
         f'<line class="moment" x1="{moment:.1f}" x2="{moment:.1f}" y1="0" y2="{_HEIGHT:.0f}"/>',
         f'<text x="2" y="{_MARGIN / 2:.0f}">{high:.0f}</text>',
