@@ -74,7 +74,7 @@ def gather(root: Path, language: str, folder: Path, openapi: Mapping[str, Any]) 
     shutil.copytree(root / "frontend" / "docs", folder / "pictures")
     for name, text in interface.pages(openapi).items():
         _write(folder / "reference" / "interface" / name, words["english"] + text)
-    for name in ("formats", "lab"):
+    for name in ("formats", "lab", "line"):
         text = (root / "docs" / language / f"{name}.md").read_text(encoding="utf-8")
         _write(folder / "reference" / f"{name}.md", text)
     _write(folder / "index.md", (root / "docs" / language / "index.md").read_text(encoding="utf-8"))
@@ -140,6 +140,7 @@ def config(language: str, docs: Path) -> str:
                     "reference/messages.md",
                     "reference/formats.md",
                     "reference/lab.md",
+                    "reference/line.md",
                     "reference/interface/index.md",
                 ),
                 *(f"reference/interface/{name}" for name in shown),
