@@ -45,7 +45,7 @@ _PICTURES: Final = "frontend/public/guide"
 _PICTURE: Final = re.compile(r"^!\[(.+)\]\(([a-z-]+)\)$", re.MULTILINE)
 # For the search in pages that are opened without a server, from the internet; the search of a served site needs it not.
 _SHIM: Final = re.compile(r'<script src="?https://unpkg\.com/iframe-worker/shim"?[^>]*></script>')
-_REFERENCES: Final = ("formats", "lab", "programs", "mavlink")
+_REFERENCES: Final = ("formats", "lab", "line", "programs", "mavlink")
 _WORDS: Final[Mapping[str, Mapping[str, str]]] = {
     "es": {
         "guide": "Guía del piloto",

@@ -8,7 +8,7 @@
 
 static const float steepest_approach_rad = 1.3F; ///< angle to the line far away from it
 static const float half_pi = 1.57079633F;
-static const float slowest_m_s = 5.0F;           ///< over the ground; below it the field would have no width
+static const float slowest_m_s = 5.0F; ///< over the ground; below it the field would have no width
 static const float aileron_limit = 0.7F;
 static const float integral_limit = 0.2F;
 static const float integral_window_deg = 10.0F; ///< of bank error: a larger one is a roll under way

@@ -18,7 +18,10 @@ turn_t turn_between(float from_deg, float to_deg, const wind_t* wind, float airs
 {
     const float ground_m_s = wind_ground_speed_m_s(wind, airspeed_m_s, from_deg);
     const float side_m_s2 = GRAVITY_M_S2 * tanf(angle_to_rad(bank_deg));
-    turn_t turn = {.radius_m = ground_m_s * ground_m_s / side_m_s2};
+    const float after_m_s = wind_ground_speed_m_s(wind, airspeed_m_s, to_deg);
+    const float middle_m_s = 0.5F * (ground_m_s + after_m_s);
+    const float fastest_m_s = fmaxf(ground_m_s, after_m_s);
+    turn_t turn = {.radius_m = middle_m_s * middle_m_s / side_m_s2};
     const float angle_deg = angle_wrap_180(to_deg - from_deg);
     if (fabsf(angle_deg) < straight_deg)
     {
@@ -37,7 +40,7 @@ turn_t turn_between(float from_deg, float to_deg, const wind_t* wind, float airs
     const float across_m = east_m * cosf(to_rad) - north_m * sinf(to_rad);
     const float lead_m = across_m / sinf(angle_to_rad(from_deg - to_deg));
     const float sharpness = limit_to((fabsf(angle_deg) - sharp_deg) / (sharpest_deg - sharp_deg), 0.0F, 1.0F);
-    const float longest_m = turn.radius_m * (sharp_radii + sharpness * (1.0F - sharp_radii));
+    const float longest_m = fastest_m_s * fastest_m_s / side_m_s2 * (sharp_radii + sharpness * (1.0F - sharp_radii));
     turn.is_sharp = sharpness > 0.0F;
     // beyond half a turn the next leg's line lies behind, and its lead is negative
     turn.lead_m = lead_m >= 0.0F ? fminf(lead_m, longest_m) : turn.is_sharp ? longest_m : 0.0F;

@@ -9,7 +9,7 @@
 typedef struct
 {
     float lead_m;   ///< along the leg before the waypoint, >= 0
-    float radius_m; ///< of the turn over the ground where it begins
+    float radius_m; ///< of the turn over the ground, in its middle
     bool is_sharp;  ///< the lead is capped: the aircraft swings beyond the next leg and comes back
 } turn_t;
 
