@@ -18,6 +18,7 @@ from epf_gcs.lab.faults import read as read_faults
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
+from epf_gcs.lab.proving import SUITES, conformance_of, run_suites
 from epf_gcs.lab.routes import route
 from epf_gcs.lab.rows import Results
 from epf_gcs.system.private_files import write_private_files
@@ -125,6 +126,34 @@ def compare(before: Folder, after: Folder) -> None:
     print(f"  safe only after: {found.better}; safe only before: {found.worse} (by chance: {found.by_chance:.3f})")
     low, high = found.change_interval
     print(f"  distance from the way, rms: {found.change:+.1f} m ({low:+.1f} to {high:+.1f} with 95 % certainty)")
+
+
+@app.command("test")
+def run(
+    suites: Annotated[
+        list[str] | None, typer.Argument(metavar="[SUITE]...", help=f"{', '.join(SUITES)}. Usual: all.")
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=1, help="How many are flown where chance has a part.")] = 3,
+    junit: Annotated[Path | None, typer.Option(help="File for a report in JUnit's format.")] = None,
+    laws: Laws = None,
+) -> None:
+    """Fly the suites that ship, and say each figure beside its bound."""
+    raise typer.Exit(run_suites(suites or [], seeds, laws, junit))
+
+
+@app.command("conform")
+def hold_against_protocol(
+    url: Annotated[str, typer.Argument(help="The board: tcp://host:port, serial:///dev/ttyUSB0, pty:///path.")],
+    patience_s: Annotated[float, typer.Option(min=0.1, help="How long an answer may take.")] = 2.0,
+) -> None:
+    """Hold a board against its protocol, and list what it lacks. The board is moved and reset: no aircraft may fly."""
+    outcomes = conformance_of(url, patience_s)
+    for one in outcomes:
+        print(f"ok     {one.name}" if one.lacks is None else f"LACKS  {one.name}\n       {one.lacks}")
+    lacks = sum(one.lacks is not None for one in outcomes)
+    print(f"{len(outcomes) - lacks} of {len(outcomes)} checks passed")
+    if lacks:
+        raise typer.Exit(1)
 
 
 def _read(given: Sequence[str]) -> tuple[Conditions, dict[str, float], list[str]]:
