@@ -21,6 +21,7 @@ from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flight import fly as fly_one
 from epf_gcs.lab.flying import fly_all
 from epf_gcs.lab.keeping import keep, keep_worst, kept_worst
+from epf_gcs.lab.proving import SUITES, conformance_of, run_suites
 from epf_gcs.lab.routes import route
 from epf_gcs.lab.rows import WORST, Results, Row
 from epf_gcs.system.private_files import write_private_files
@@ -166,6 +167,34 @@ def refly(
     found = fly_again(recording, laws)
     print("\n".join(found.lines()))
     if found.first is not None:
+        raise typer.Exit(1)
+
+
+@app.command("test")
+def run(
+    suites: Annotated[
+        list[str] | None, typer.Argument(metavar="[SUITE]...", help=f"{', '.join(SUITES)}. Usual: all.")
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=1, help="How many are flown where chance has a part.")] = 3,
+    junit: Annotated[Path | None, typer.Option(help="File for a report in JUnit's format.")] = None,
+    laws: Laws = None,
+) -> None:
+    """Fly the suites that ship, and say each figure beside its bound."""
+    raise typer.Exit(run_suites(suites or [], seeds, laws, junit))
+
+
+@app.command("conform")
+def hold_against_protocol(
+    url: Annotated[str, typer.Argument(help="The board: tcp://host:port, serial:///dev/ttyUSB0, pty:///path.")],
+    patience_s: Annotated[float, typer.Option(min=0.1, help="How long an answer may take.")] = 2.0,
+) -> None:
+    """Hold a board against its protocol, and list what it lacks. The board is moved and reset: no aircraft may fly."""
+    outcomes = conformance_of(url, patience_s)
+    for one in outcomes:
+        print(f"ok     {one.name}" if one.lacks is None else f"LACKS  {one.name}\n       {one.lacks}")
+    lacks = sum(one.lacks is not None for one in outcomes)
+    print(f"{len(outcomes) - lacks} of {len(outcomes)} checks passed")
+    if lacks:
         raise typer.Exit(1)
 
 

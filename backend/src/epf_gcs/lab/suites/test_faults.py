@@ -42,6 +42,7 @@ _HOLDS: Final[dict[str, Holds]] = {
     "engine.weak": Holds(70.0, 20.0, 12.0),
     "elevator.reversed": Holds(150.0, 20.0, 25.0, _SHORT),
     "aileron.reversed": Holds(80.0, 12.0, 60.0, _SHORT),
+    "attitude.stuck": Holds(40.0, 6.0, 25.0),
     "elevator.jammed": Holds(200.0, 20.0, 12.0),
     "aileron.jammed": Holds(60.0, 8.0, 30.0),
     "simulator.pause": Holds(40.0, 6.0, 12.0, "+20"),
