@@ -7,6 +7,7 @@ A bug is one change of one source; the file is compiled with it in a folder that
 objects of `make -C firmware flight-lib`. A bug is caught where a suite fails; the first test that does is told.
 """
 
+# ruff: noqa: E501 - a bug is a line of the table
 from __future__ import annotations
 
 import subprocess
@@ -83,7 +84,18 @@ def build(bug: Bug, folder: Path) -> Path:
 def caught(library: Path, first: str, seeds: int = 1) -> str | None:
     """The first test that fails, with its figure; None: none did."""
     files = [f"test_{name}.py" for name in (first, *(name for name in _ORDER if name != first))]
-    options = ["-n0", "-x", "-q", "-c", "/dev/null", "--rootdir", ".", "--import-mode=importlib", "-p", "no:cacheprovider"]
+    options = [
+        "-n0",
+        "-x",
+        "-q",
+        "-c",
+        "/dev/null",
+        "--rootdir",
+        ".",
+        "--import-mode=importlib",
+        "-p",
+        "no:cacheprovider",
+    ]
     words = [*options, f"--laws={library}", f"--seeds={seeds}", "--tb=line", *files]
     ended = subprocess.run(
         [sys.executable, "-m", "pytest", *words], cwd=SUITES, capture_output=True, text=True, check=False

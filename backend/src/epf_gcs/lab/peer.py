@@ -30,6 +30,12 @@ class Lack(Exception):  # noqa: N818 - what a board lacks is no error of ours
     """What a board does not do, in words for the person who will make it do so."""
 
 
+def must_be(told: object, wanted: object, what: str) -> None:
+    """Raises Lack where what the board told is not what it must be."""
+    if told != wanted:
+        raise Lack(f"{what}: must be {wanted}, is {told}")
+
+
 class Wire(Protocol):
     """The board's line."""
 
@@ -249,3 +255,7 @@ FLAGS: Final = (
 
 def _named(name: str) -> str:
     return f"{name} (type {TELEMETRY_BY_NAME[name].id:#x})"
+
+
+Check = Callable[[Peer], None]
+"""Raises Lack where a board does not do what it must."""
