@@ -44,7 +44,7 @@ BUGS: Final = (
     Bug("wind", "integrator: the altitude's is missing", "control/autopilot.c", "* error_ft * dt_s;", "* error_ft * 0.0F * dt_s;"),
     Bug("steps", "integrator: the altitude's window is ten times as wide", "control/autopilot.c", "window_ft = 100.0F", "window_ft = 1000.0F"),
     Bug("failsafes", "integrator: the trim winds on in a pause", "flight/hil_loop.c", "return 0.0F;\n    }\n    if (hil->period_s > 0.0F)", "return 0.02F;\n    }\n    if (hil->period_s > 0.0F)"),
-    Bug("failsafes", "integrator: a step takes 20 ms, whatever passed", "flight/hil_loop.c", "limit_to((float)elapsed_ms / 1000.0F, step_minimum_s, step_maximum_s)", "0.02F"),
+    Bug("steps", "integrator: a step takes 20 ms, whatever passed", "flight/hil_loop.c", "limit_to((float)elapsed_ms / 1000.0F, step_minimum_s, step_maximum_s)", "0.02F"),
     Bug("routes", "capture: far outside the radius", "navigation/plan.c", "guidance->distance_m >= plan_capture_radius_m(speed_kt)", "guidance->distance_m >= 2.0F * plan_capture_radius_m(speed_kt)"),
     Bug("line", "capture: a waypoint is left out", "navigation/plan.c", "fly_to(plan, plan->current + 1);", "fly_to(plan, plan->current + 2 < plan->count ? plan->current + 2 : plan->current + 1);"),
     Bug("routes", "wrap: the course error goes the long way round", "control/autopilot.c", "angle_wrap_180(course_deg - input->track_deg)", "(course_deg - input->track_deg)"),

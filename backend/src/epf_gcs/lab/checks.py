@@ -35,14 +35,11 @@ def _stream(name: str) -> Check:
 
 
 def _stop_and_start(peer: Peer) -> None:
-    peer.command("start")
-    must_be(
-        [peer.flags()[flag] for flag in _FLAG_OF.values()], [1] * len(_FLAG_OF), "the heartbeat's streams after start"
-    )
-    peer.command("stop")
-    must_be(
-        [peer.flags()[flag] for flag in _FLAG_OF.values()], [0] * len(_FLAG_OF), "the heartbeat's streams after stop"
-    )
+    for command, flag in (("start", 1), ("stop", 0)):
+        peer.command(command)
+        flags = peer.flags()
+        told = [flags[name] for name in _FLAG_OF.values()]
+        must_be(told, [flag] * len(_FLAG_OF), f"the heartbeat's streams after {command}")
 
 
 def _read_all(peer: Peer) -> None:

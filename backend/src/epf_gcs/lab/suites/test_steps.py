@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Final
 
 import pytest
@@ -26,14 +27,21 @@ _PLAN: Final = (
 _SETTLE_S: Final = 25.0
 
 
-@pytest.fixture
-def steady(lab: Lab) -> Iterator[Watched]:
+@contextmanager
+def _steady(lab: Lab, rate_hz: int = 50) -> Iterator[Watched]:
     """In steady flight straight on, with the steps as further waypoints."""
-    with lab.watch() as loop:
+    with lab.watch(rate_hz=rate_hz) as loop:
         for name, values in Route("steps", _PLAN).commands():
             loop.command(name, *values)
         loop.command("autopilot_on")
         loop.go(_SETTLE_S)
+        yield loop
+
+
+@pytest.fixture
+def steady(lab: Lab) -> Iterator[Watched]:
+    """At the usual rate."""
+    with _steady(lab) as loop:
         yield loop
 
 
@@ -61,8 +69,10 @@ def test_90_degrees_to_the_right(steady: Watched, bounds: Bounds) -> None:
     bounds.below("loss of altitude", CRUISE_FT - flown.altitude_ft.min(), 60.0, "ft")
 
 
-def test_15_percent_faster(steady: Watched, bounds: Bounds) -> None:
-    flown = _step(steady, _SPEED, 35.0)
+@pytest.mark.parametrize("rate_hz", [50, 25])
+def test_15_percent_faster(lab: Lab, bounds: Bounds, rate_hz: int) -> None:
+    with _steady(lab, rate_hz) as loop:
+        flown = _step(loop, _SPEED, 35.0)
     error_kt = flown.airspeed_kt - CRUISE_KT * _FASTER
     bounds.below("settling time", flown.settling_s(error_kt, 1.0), 21.6, "s")
     bounds.below("overshoot", error_kt.max(), 1.0, "kt")
