@@ -10,7 +10,8 @@ static const float captured_radii = 1.2F;
 static const float captured_ft = 100.0F;
 static const float left_behind_radii = 0.5F; ///< so much further than at its nearest: the waypoint is passed
 static const float opposite = 0.1F;          ///< length of the sum of two courses below which they have no bisector
-static const float hold_radii = 1.2F;        ///< the circle is wider than the tightest one, to have bank in hand
+static const float airspeed_smoothing_s = 4.0F;
+static const float hold_radii = 1.2F; ///< the circle is wider than the tightest one, to have bank in hand
 
 void legs_init(legs_t* legs)
 {
@@ -104,7 +105,7 @@ static void sequence(legs_t* legs, plan_t* plan, const legs_input_t* input)
     const leg_t before = legs->leg;
     const float remaining_m = leg_place(&before, &input->position).remaining_m;
     const leg_t after = next != NULL ? leg_between(&waypoint->position, &next->position, before.course_deg) : before;
-    turn_t turn = turn_between(before.course_deg, after.course_deg, &legs->wind, input->airspeed_m_s, input->bank_deg,
+    turn_t turn = turn_between(before.course_deg, after.course_deg, &legs->wind, legs->airspeed_m_s, input->bank_deg,
                                input->roll_time_s);
     const float longest_m = fminf(before.length_m, after.length_m) / 2.0F;
     if (next == NULL)
@@ -145,10 +146,17 @@ static void circle(const legs_t* legs, const plan_t* plan, const legs_input_t* i
     guidance->curvature_per_m = 1.0F / radius_m;
 }
 
+static void smooth_airspeed(legs_t* legs, float airspeed_m_s, float dt_s)
+{
+    const float taken = legs->airspeed_m_s > 0.0F ? dt_s / (airspeed_smoothing_s + dt_s) : 1.0F;
+    legs->airspeed_m_s += taken * (airspeed_m_s - legs->airspeed_m_s);
+}
+
 bool legs_update(legs_t* legs, plan_t* plan, const legs_input_t* input, float dt_s, legs_guidance_t* guidance)
 {
     *guidance = (legs_guidance_t){0};
     wind_update(&legs->wind, &input->position, input->airspeed_m_s, dt_s);
+    smooth_airspeed(legs, input->airspeed_m_s, dt_s);
     if (plan->count == 0 || !position_is_valid(&input->position))
     {
         return false;

@@ -28,7 +28,8 @@ typedef struct
 typedef struct
 {
     wind_t wind;
-    leg_t leg; ///< that is flown
+    float airspeed_m_s; ///< smoothed: a gust must not begin a turn
+    leg_t leg;          ///< that is flown
     bool has_leg;
     size_t waypoint;      ///< that the leg ends at
     uint32_t changes;     ///< of the plan when the leg began

@@ -11,8 +11,8 @@ static const float stretch_minimum_s = 0.5F;
 static const float slowest_m_s = 10.0F;
 static const float fastest_ratio = 3.0F;           ///< of ground speed to airspeed; beyond, the aircraft was moved
 static const float initial_variance = 64.0F;       ///< 8 m/s each way
-static const float drift_variance_per_s = 0.03F;   ///< how quickly a wind changes
-static const float measurement_variance = 2.0F;    ///< gusts, mostly
+static const float drift_variance_per_s = 0.01F;   ///< how quickly a wind changes
+static const float measurement_variance = 6.0F;    ///< gusts, mostly
 static const float sharpest_crab = 0.98480775301F; ///< sine of 80 deg
 
 void wind_init(wind_t* wind)

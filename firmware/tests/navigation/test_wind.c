@@ -45,12 +45,12 @@ static void a_turn_brings_the_whole_wind(void** state)
     fly(&wind, &at, &heading_deg, 0.0, 10.0);
     fly(&wind, &at, &heading_deg, 10.0, 12.0);
     fly(&wind, &at, &heading_deg, 0.0, 10.0);
-    assert_close(wind.north_m_s, north_m_s, 1.2);
-    assert_close(wind.east_m_s, east_m_s, 1.2);
+    assert_close(wind.north_m_s, north_m_s, 2.0);
+    assert_close(wind.east_m_s, east_m_s, 2.0);
     fly(&wind, &at, &heading_deg, -10.0, 12.0);
     fly(&wind, &at, &heading_deg, 0.0, 10.0);
-    assert_close(wind.north_m_s, north_m_s, 0.5);
-    assert_close(wind.east_m_s, east_m_s, 0.5);
+    assert_close(wind.north_m_s, north_m_s, 1.0);
+    assert_close(wind.east_m_s, east_m_s, 1.0);
 }
 
 static void the_heading_goes_into_the_wind(void** state)
