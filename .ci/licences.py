@@ -15,12 +15,12 @@ from typing import Final
 from epf_gcs.web.interface.about.packages import packages
 
 # All allow what we do: ship them unchanged with their texts, in a product under the MIT licence. The LGPL allows it for
-# a library that the user can replace (jsbsim is a package of its own), the MPL for files that stay as they are.
+# a library that the user can replace (jsbsim and pymavlink are packages of their own), the MPL for files that stay as they are.
 ALLOWED: Final = frozenset(
     {
         *("0bsd", "apache-2.0", "bsd", "bsd license", "bsd-2-clause", "bsd-3-clause", "cc0-1.0", "isc", "isc license"),
         *("mit", "mit license", "mit-0", "mpl-2.0", "new bsd", "ofl-1.1", "psf-2.0", "psfl", "zlib"),
-        "gnu lesser general public license v2 or later (lgplv2+)",
+        *("gnu lesser general public license v2 or later (lgplv2+)", "lgplv3"),
     }
 )
 
