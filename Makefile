@@ -205,27 +205,17 @@ check-platforms: $(DONE)/venv-dev ## types as macOS and Windows see them (half a
 	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform darwin --cache-dir .mypy_cache/darwin src
 	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform win32 --cache-dir .mypy_cache/win32 src
 
-# All that `make test` does, three parts at a time: the journeys and half of the gateway's tests wait for lines, programs
-# and clocks. What only computes fills their pauses, one part after the other, and gives way to them.
-COMPUTING := check test-tools test-protocol test-firmware test-frontend
-PARTS := build test-backend e2e $(COMPUTING)
-LANES := 3
+# All that `make test` does, one after the other whatever -j says: each uses all of the machine.
+PARTS := check build test-firmware test-frontend test-tools test-protocol test-backend e2e
 MADE := $(firstword $(MAKEFILE_LIST))
 
 test: fresh-results setup ## everything, from nothing; what failed or could not run on this machine is told at the end, which is red then
-	@$(MAKE) --no-print-directory -f $(MADE) -j $(LANES) --output-sync=target $(PARTS:%=part-%)
+	@$(MAKE) --no-print-directory -f $(MADE) -j 1 $(PARTS:%=part-%)
 	@python3 .ci/summary.py $(RESULTS)
 
 .PHONY: $(PARTS) $(PARTS:%=part-%)
 $(PARTS:%=part-%): part-%:
-	@$(if $(filter $*,$(COMPUTING)),nice -n 10) python3 .ci/timed.py $(RESULTS) $* $(MAKE) --no-print-directory -k -f $(MADE) $*
-
-# What several parts need is made before any of them looks for it.
-part-test-backend part-e2e part-test-firmware: part-build
-part-test-tools: part-check
-part-test-protocol: part-test-tools
-part-test-firmware: part-test-protocol
-part-test-frontend: part-test-firmware
+	@python3 .ci/timed.py $(RESULTS) $* $(MAKE) --no-print-directory -k -f $(MADE) $*
 
 # What the tests fly and look at.
 build: frontend/dist/index.html $(DONE)/arm
