@@ -15,7 +15,8 @@ from typing import Final
 from epf_gcs.web.interface.about.packages import packages
 
 # All allow what we do: ship them unchanged with their texts, in a product under the MIT licence. The LGPL allows it for
-# a library that the user can replace (jsbsim and pymavlink are packages of their own), the MPL for files that stay as they are.
+# a library that the user can replace (jsbsim and pymavlink are packages of their own), the MPL for files that stay as
+# they are.
 ALLOWED: Final = frozenset(
     {
         *("0bsd", "apache-2.0", "bsd", "bsd license", "bsd-2-clause", "bsd-3-clause", "cc0-1.0", "isc", "isc license"),

@@ -30,7 +30,7 @@ from epf_gcs.mavlink.choice import Aircraft, Home
 from epf_gcs.mavlink.dialect import WIRE
 
 BEGUN_S = 1000.0
-GANDO = {"latitude_deg": 27.9311, "longitude_deg": -15.3865}
+GANDO: dict[str, Any] = {"latitude_deg": 27.9311, "longitude_deg": -15.3865}
 
 
 def told(*values: Topic, aircraft: Aircraft = "flight", home: Home | None = None, at_s: float = 2.0) -> dict[str, Any]:
