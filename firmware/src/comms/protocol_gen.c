@@ -414,13 +414,13 @@ void message_mission_count_unpack(message_mission_count_t* const values, const u
 
 void message_hil_step_pack(const message_hil_step_t* const values, uint8_t* const payload)
 {
-    protocol_put_u32(payload + 0, values->time_ms);
+    protocol_put_u32(payload + 0, values->clock_ms);
     protocol_put_f32(payload + 4, values->step_s);
 }
 
 void message_hil_step_unpack(message_hil_step_t* const values, const uint8_t* const payload)
 {
-    values->time_ms = protocol_get_u32(payload + 0);
+    values->clock_ms = protocol_get_u32(payload + 0);
     values->step_s = protocol_get_f32(payload + 4);
 }
 

@@ -487,7 +487,7 @@ void message_mission_count_unpack(message_mission_count_t* values, const uint8_t
 /// When and by how much the HIL loop was stepped; after each hil_surfaces, from hil_steps_on until the line is opened again. With it a recording can be flown again to the last bit.
 typedef struct
 {
-    uint32_t time_ms; ///< The board's clock when it took the command 50 which hil_surfaces answered. [ms]
+    uint32_t clock_ms; ///< The board's clock when it took the command 50 which hil_surfaces answered. [ms]
     float step_s; ///< Time that the laws integrated; 0 for a repeat, a refused command, and a step after a pause. [s]
 } message_hil_step_t;
 

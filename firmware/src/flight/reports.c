@@ -96,9 +96,9 @@ void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces)
     send_hil_surfaces(line, &values);
 }
 
-void report_hil_step(const report_line_t* line, uint32_t time_ms, float step_s)
+void report_hil_step(const report_line_t* line, uint32_t clock_ms, float step_s)
 {
-    const message_hil_step_t values = {.time_ms = time_ms, .step_s = step_s};
+    const message_hil_step_t values = {.clock_ms = clock_ms, .step_s = step_s};
     send_hil_step(line, &values);
 }
 

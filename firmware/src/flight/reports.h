@@ -39,7 +39,7 @@ void report_plan(const report_line_t* line, uint32_t type_id, const plan_t* plan
 void report_fly_by_wire(const report_line_t* line, const surfaces_t* surfaces);
 void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces);
 /// When, and by how much, the HIL loop was stepped for the surfaces that were sent just now.
-void report_hil_step(const report_line_t* line, uint32_t time_ms, float step_s);
+void report_hil_step(const report_line_t* line, uint32_t clock_ms, float step_s);
 void report_parameters(const report_line_t* line, const parameters_t* parameters);
 void report_capabilities(const report_line_t* line, const message_capabilities_t* values);
 void report_acknowledgement(const report_line_t* line, uint32_t type_id, command_result_t result);

@@ -228,7 +228,7 @@ static void the_times_of_hil_steps_are_told_to_who_asks_until_the_line_is_opened
     rig->now_ms += 35;
     info.roll_deg += 1.0F;
     send_info(rig, &info);
-    assert_int_equal(told_step(rig).time_ms, rig->now_ms);
+    assert_int_equal(told_step(rig).clock_ms, rig->now_ms);
     assert_close(told_step(rig).step_s, 0.02F, 0.0);
 
     info.latitude_deg = NAN; // refused, yet answered

@@ -270,7 +270,7 @@ _MESSAGES: Final = (
         source='extension', extension=True, topic=False,
         struct=Struct("<If"),
         values=(
-            Value('time_ms', 'integer', 0, 'plain', "The board's clock when it took the command 50 which hil_surfaces answered.", unit='ms', minimum=0, maximum=4294967295),
+            Value('clock_ms', 'integer', 0, 'plain', "The board's clock when it took the command 50 which hil_surfaces answered.", unit='ms', minimum=0, maximum=4294967295),
             Value('step_s', 'number', 1, 'plain', 'Time that the laws integrated; 0 for a repeat, a refused command, and a step after a pause.', unit='s', minimum=0.0, maximum=1.0),
         ),
     ),
