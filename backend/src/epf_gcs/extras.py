@@ -62,4 +62,5 @@ SIM: Final = Extra("sim", ("jsbsim",), "The embedded simulator")
 MAPS: Final = Extra("maps", ("rasterio",), "Importing heights")
 FLIGHTS: Final = Extra("flights", ("pyarrow", "duckdb"), "Looking into recorded flights")
 MAVLINK: Final = Extra("mavlink", ("pymavlink",), "Speaking MAVLink")
-ALL: Final = (SIM, MAPS, FLIGHTS, MAVLINK)
+ALL: Final = (SIM, MAPS, FLIGHTS)
+"""What the page and the doctor look at: parts of the station itself."""

@@ -16,7 +16,7 @@ from websockets.exceptions import ConnectionClosed
 
 from epf_gcs.client.errors import StationLostError
 from epf_gcs.client.samples_gen import Topic
-from epf_gcs.contract.base import RoleName
+from epf_gcs.contract.base import RoleName, Values
 from epf_gcs.contract.events import EVENTS, Event
 from epf_gcs.contract.status import Status
 
@@ -77,7 +77,7 @@ class Stream:
         self._status = msgspec.convert(hello["status"], Status)
         self._connection = connection
         self._everybody: list[Waiting[Any]] = []
-        self._samples: dict[str, list[Waiting[tuple[float, dict[str, Any]]]]] = {}
+        self._samples: dict[str, list[Waiting[tuple[float, Values]]]] = {}
         self._events: list[tuple[tuple[type[Event], ...], Waiting[Event]]] = []
         self._statuses: list[Waiting[Status]] = []
         self._lost: StationLostError | None = None
@@ -97,7 +97,7 @@ class Stream:
 
     async def samples(self, topic: type[TopicT]) -> AsyncIterator[Sample[TopicT]]:
         """Every batch's sample of a topic, until the program leaves the loop."""
-        waiting: Waiting[tuple[float, dict[str, Any]]] = Waiting()
+        waiting: Waiting[tuple[float, Values]] = Waiting()
         listeners = self._samples.setdefault(topic.NAME, [])
         with self._listening(listeners, waiting, waiting):
             while True:
@@ -150,7 +150,7 @@ class Stream:
             for waiting in self._everybody:
                 waiting.end(self._lost)
 
-    async def _take(self, message: dict[str, Any]) -> None:
+    async def _take(self, message: Values) -> None:
         match message["type"]:
             case "batch":
                 for sample in message["samples"]:
@@ -164,7 +164,7 @@ class Stream:
             case "event":
                 self._take_event(message["event"], message["data"])
 
-    def _take_event(self, name: str, data: dict[str, Any]) -> None:
+    def _take_event(self, name: str, data: Values) -> None:
         """An event; those of subjects, which the contract does not have, are left out."""
         kind = EVENTS.get(name)
         if kind is None:

@@ -15,9 +15,9 @@ from epf_gcs.simulator.airframe import ground_course
 from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import FT_S_PER_KT
+from epf_gcs.units import M_PER_FT
 from epf_gcs.xplane.datagram import Surfaces
 
-_M_PER_FT: Final = 0.3048
 _FPM_PER_FPS: Final = 60.0
 _AUTOPILOT, _AUTOTRIM = 4, 5
 _CHANNELS: Final = 12
@@ -81,8 +81,8 @@ class AircraftLoop(FaultyLockStep):
                 return
         *measured, receiver = told
         # The board takes metres.
-        measured[6] *= _M_PER_FT
-        measured[11] *= _M_PER_FT
+        measured[6] *= M_PER_FT
+        measured[11] *= M_PER_FT
         self._laws.step([*measured, *(channel + receiver for channel in self.channels)], 1.0 / self._rate_hz)
         aileron, elevator, throttle, rudder = self._laws.positions()[:4]
         self._uplink.send(within_limits(Surfaces(elevator, aileron, rudder, throttle)), self.time_s)

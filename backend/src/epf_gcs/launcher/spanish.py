@@ -87,7 +87,6 @@ SPANISH: Final[Mapping[str, str]] = {
     "{what}: {modules}": "{what}: {modules}",
     "The embedded simulator": "El simulador incluido",
     "Importing heights": "Importar alturas",
-    "Speaking MAVLink": "Hablar MAVLink",
     "Looking into recorded flights": "Mirar los vuelos grabados",
     "{command}": "{command}",
     "sudo apt install libexpat1   (on Debian and Ubuntu)": "sudo apt install libexpat1   (en Debian y Ubuntu)",
