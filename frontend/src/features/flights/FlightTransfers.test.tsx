@@ -198,7 +198,12 @@ test("a flight becomes the plan of its aircraft once its figures were answered, 
   const again = newest("GET", /plan\?/);
   expect(again.path).toBe(`${path}&thin=true`);
   const waypoint = { latitude_deg: 27.95, longitude_deg: -15.37, altitude_ft: 700, speed_kt: 55 };
-  await again.answer({ format: "flight", waypoints: [{ ...waypoint, origin: null }], notes: [], heights: [] });
+  await again.answer({
+    format: "flight",
+    waypoints: [{ ...waypoint, origin: null }],
+    notes: [],
+    heights: [],
+  });
   expect(plan()).toEqual([waypoint]);
   expect(station.asked.filter(({ method }) => method === "PUT")).toEqual([]);
 });
