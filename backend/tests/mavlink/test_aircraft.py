@@ -11,6 +11,7 @@ import pytest
 from epf_gcs.client import (
     Ahrs,
     Analog,
+    FlyByWire,
     FmsHilPlan,
     FmsPlan,
     Gps,
@@ -156,3 +157,10 @@ def test_the_mode_is_the_boards_own(aircraft: Aircraft, path: Any, heartbeat: He
     assert bool(told_mode.base_mode & WIRE.MAV_MODE_FLAG_HIL_ENABLED) == (aircraft == "hil")
     state.forget()
     assert state.mode(status) is None
+
+
+def test_it_listens_to_every_topic_that_a_message_is_made_of() -> None:
+    made = {Ahrs, Analog, FlyByWire, FmsPlan, Gps, Heartbeat, Inertial, ServosIn, Statistics}
+    assert AircraftState("flight", None, BEGUN_S).topics == made
+    hil = {Analog, FmsHilPlan, Heartbeat, HilSurfaces, ServosIn, Simulator, Statistics, XplaneInfo}
+    assert AircraftState("hil", None, BEGUN_S).topics == hil

@@ -65,7 +65,8 @@ class AircraftState:
     @property
     def topics(self) -> frozenset[type[Topic]]:
         """The topics that it is told of."""
-        return frozenset(row.topic for row in self._rows) | {Heartbeat, XplaneInfo, Gps, Analog}
+        beside = (topic for row in self._rows for topic in row.beside)
+        return frozenset({Heartbeat, *(row.topic for row in self._rows), *beside})
 
     def take(self, sample: Sample[Any]) -> Iterator[Message]:
         """A sample came: the messages that are due with it."""
@@ -308,32 +309,37 @@ def _or_nan(value: float | None) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Row:
-    """A message, the topic whose samples make it, and how often at most."""
+    """A message, the topic whose samples make it, how often at most, and the topics of the same moment that it has."""
 
     name: str
     topic: type[Topic]
     period_s: float
     make: Callable[[AircraftState, Any, int], Message | None]
+    beside: tuple[type[Topic], ...] = ()
+
+
+def _guided_by(plan: type[Topic], *beside: type[Topic]) -> tuple[_Row, ...]:
+    """What both aircraft are told alike, with the plan of one of them."""
+    return (
+        _Row("SYS_STATUS", Analog, 1.0, _system, (Statistics,)),
+        _Row("RC_CHANNELS", ServosIn, 0.2, _channels),
+        _Row("NAV_CONTROLLER_OUTPUT", plan, 0.2, _guidance, beside),
+        _Row("MISSION_CURRENT", plan, 0.5, _waypoint),
+    )
 
 
 _FLIGHT_ROWS: Final = (
-    _Row("ATTITUDE", Ahrs, 0.05, _attitude),
-    _Row("GLOBAL_POSITION_INT", Gps, 0.1, _position),
+    _Row("ATTITUDE", Ahrs, 0.05, _attitude, (Inertial,)),
+    _Row("GLOBAL_POSITION_INT", Gps, 0.1, _position, (Ahrs,)),
     _Row("GPS_RAW_INT", Gps, 0.2, _gps),
-    _Row("VFR_HUD", Analog, 0.1, _hud),
-    _Row("SYS_STATUS", Analog, 1.0, _system),
-    _Row("RC_CHANNELS", ServosIn, 0.2, _channels),
+    _Row("VFR_HUD", Analog, 0.1, _hud, (Gps, Ahrs, FlyByWire)),
     _Row("SERVO_OUTPUT_RAW", FlyByWire, 0.2, _servos),
-    _Row("NAV_CONTROLLER_OUTPUT", FmsPlan, 0.2, _guidance),
-    _Row("MISSION_CURRENT", FmsPlan, 0.5, _waypoint),
+    *_guided_by(FmsPlan, Analog),
 )
 _HIL_ROWS: Final = (
     _Row("ATTITUDE", Simulator, 0.05, _hil_attitude),
     _Row("GLOBAL_POSITION_INT", Simulator, 0.1, _hil_position),
     _Row("VFR_HUD", Simulator, 0.1, _hil_hud),
-    _Row("SYS_STATUS", Analog, 1.0, _system),
-    _Row("RC_CHANNELS", ServosIn, 0.2, _channels),
     _Row("SERVO_OUTPUT_RAW", HilSurfaces, 0.2, _hil_servos),
-    _Row("NAV_CONTROLLER_OUTPUT", FmsHilPlan, 0.2, _guidance),
-    _Row("MISSION_CURRENT", FmsHilPlan, 0.5, _waypoint),
+    *_guided_by(FmsHilPlan, XplaneInfo),
 )
