@@ -9,6 +9,8 @@ RADIUS_M: Final = 6_371_008.8
 """Mean radius, of WGS 84."""
 M_PER_DEG: Final = 111_195.0
 """Metres of a degree of latitude; within 0.6 % anywhere."""
+GRAVITY_M_S2: Final = 9.80665
+"""Standard gravity; exact."""
 
 
 def distance_m(latitude_deg: float, longitude_deg: float, to_latitude_deg: float, to_longitude_deg: float) -> float:

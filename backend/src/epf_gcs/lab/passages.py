@@ -9,13 +9,13 @@ from typing import Final
 
 import numpy as np
 
+from epf_gcs.earth import GRAVITY_M_S2
 from epf_gcs.lab.figures import REACHED_M, Capture, Figures, Leg, metres, split
 from epf_gcs.lab.routes import Route
 from epf_gcs.lab.truth import Truth
 
 WITHIN_RADII: Final = 1.2
 """How near an honest capture is, in radii of the turn at the ground speed flown."""
-_GRAVITY_M_S2: Final = 9.80665
 
 
 def in_passing(figures: Figures, truth: Truth, route: Route, bank_deg: float) -> Figures:
@@ -39,7 +39,7 @@ def _nearest(number: int, legs: Sequence[Leg], bank_deg: float, *, is_last: bool
     before = max(nearest - 1, 0)
     way_m = math.dist(offsets[before], offsets[before + 1])
     speed_m_s = way_m / float(truth.time_s[before + 1] - truth.time_s[before])
-    radius_m = speed_m_s**2 / (_GRAVITY_M_S2 * math.tan(math.radians(bank_deg)))
+    radius_m = speed_m_s**2 / (GRAVITY_M_S2 * math.tan(math.radians(bank_deg)))
     within_m = WITHIN_RADII * radius_m
     return Capture(
         number,

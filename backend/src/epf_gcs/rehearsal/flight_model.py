@@ -13,12 +13,11 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from epf_gcs.earth import M_PER_DEG
+from epf_gcs.earth import GRAVITY_M_S2, M_PER_DEG
 from epf_gcs.units import ft_from_m, mps_from_kt
 
 STEP_S: Final = 0.1
 
-_G_MPS2: Final = 9.80665
 # Of the laws, with default gains.
 _ROLL_PER_COURSE: Final = 0.8
 _STEEPEST_ROLL_DEG: Final = 30.0
@@ -102,13 +101,13 @@ class FlightModel:
         error_deg = wrap_180(course_deg - self.track_deg)
         wanted_deg = _limited(_ROLL_PER_COURSE * error_deg, -_STEEPEST_ROLL_DEG, _STEEPEST_ROLL_DEG)
         self.roll_deg += (_ROLL_SHARE * wanted_deg - self.roll_deg) * STEP_S / _ROLL_LAG_S
-        self._heading += _TURN_SHARE * _G_MPS2 * math.tan(math.radians(self.roll_deg)) / air_mps * STEP_S
+        self._heading += _TURN_SHARE * GRAVITY_M_S2 * math.tan(math.radians(self.roll_deg)) / air_mps * STEP_S
 
     def _speed(self, speed_kt: float, climb_mps: float, air_mps: float) -> None:
         self.throttle = _limited(self.throttle + (speed_kt - self.speed_kt) / _KT_S_PER_THROTTLE * STEP_S, 0.0, 1.0)
         # Climb, m/s, for each part of the throttle that level flight does not need.
         power_mps = 0.47 * self.speed_kt * (self.throttle - _level_throttle(self.speed_kt))
-        gain_kt = _G_MPS2 * (power_mps - climb_mps) / air_mps * STEP_S / mps_from_kt(1.0)
+        gain_kt = GRAVITY_M_S2 * (power_mps - climb_mps) / air_mps * STEP_S / mps_from_kt(1.0)
         self.speed_kt = max(_SLOWEST_KT, self.speed_kt + gain_kt)
 
 

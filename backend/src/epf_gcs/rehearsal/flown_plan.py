@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Final, Literal, NamedTuple
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.earth import M_PER_DEG
+from epf_gcs.earth import GRAVITY_M_S2, M_PER_DEG
 from epf_gcs.rehearsal.flight_model import STEP_S, FlightModel, Start, SteadyWind, wrap_180
 from epf_gcs.units import mps_from_kt
 
@@ -24,7 +24,7 @@ _NEARER_M: Final = 10.0
 _CAPTURE_M: Final = 200.0
 _CAPTURE_TURNS: Final = 1.5
 _HOLD_GAIN: Final = 2.0
-_TURN_MPS2: Final = 9.80665 * math.tan(math.radians(30.0))
+_TURN_MPS2: Final = GRAVITY_M_S2 * math.tan(math.radians(30.0))
 
 
 class Sample(NamedTuple):

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from epf_gcs import earth
+from epf_gcs.earth import GRAVITY_M_S2
 from epf_gcs.units import M_PER_FT, MPS_PER_KT
 
 # Over the sea, 2 km east of the runway of GCLP.
@@ -23,14 +24,13 @@ MEAN_ALTITUDE_FT: Final = 1000.0
 TEMPERATURE_DEGC: Final = 19.0
 WAYPOINTS: Final = 4
 
-_G_M_S2: Final = 9.80665
 _SWELL_FT: Final = 80.0
 _SWELL_PERIOD_S: Final = 50.0
 # The earth's field there: the needle points 38 degrees down.
 _DIP: Final = math.radians(38.0)
 
 _SPEED_M_S: Final = SPEED_KT * MPS_PER_KT
-RADIUS_M: Final = _SPEED_M_S**2 / (_G_M_S2 * math.tan(math.radians(BANK_DEG)))
+RADIUS_M: Final = _SPEED_M_S**2 / (GRAVITY_M_S2 * math.tan(math.radians(BANK_DEG)))
 TURN_RATE_RAD_S: Final = _SPEED_M_S / RADIUS_M
 
 
@@ -66,7 +66,7 @@ class ExampleMoment:
     def forces_m_s2(self) -> tuple[float, float, float]:
         """Specific force in body axes; the side component is 0 in a coordinated turn."""
         load = 1.0 / math.cos(math.radians(self.roll_deg))
-        return _G_M_S2 * math.sin(math.radians(self.pitch_deg)), 0.0, -_G_M_S2 * load
+        return GRAVITY_M_S2 * math.sin(math.radians(self.pitch_deg)), 0.0, -GRAVITY_M_S2 * load
 
     @property
     def field(self) -> tuple[float, float, float]:

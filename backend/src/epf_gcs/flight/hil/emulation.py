@@ -14,6 +14,7 @@ from typing import Final
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS, NO_VALUE, PARAMETERS, TELEMETRY_BY_NAME, VALUES_PER_ROW, XPLANE_ROWS
+from epf_gcs.earth import GRAVITY_M_S2
 from epf_gcs.link.address import DEFAULT_BAUD
 from epf_gcs.link.base import LinkCallbacks
 from epf_gcs.repeating import Repeating
@@ -123,8 +124,8 @@ def simulator_datagram(now: ExampleMoment) -> bytes:
         "ground_speed_kt": SPEED_KT,
         "mach": SPEED_KT / 661.5,
         "vvi_ft_min": now.vvi_ft_min,
-        "g_normal": -now.forces_m_s2[2] / 9.80665,
-        "g_axial": now.forces_m_s2[0] / 9.80665,
+        "g_normal": -now.forces_m_s2[2] / GRAVITY_M_S2,
+        "g_axial": now.forces_m_s2[0] / GRAVITY_M_S2,
         "g_side": 0.0,
         "ambient_pressure_inhg": now.pressure_hpa / 33.8639,
         "ambient_temperature_degc": TEMPERATURE_DEGC,
