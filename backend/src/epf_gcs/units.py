@@ -10,6 +10,8 @@ M_PER_NM: Final = 1852.0
 """Metres of a nautical mile; exact."""
 MPS_PER_KT: Final = M_PER_NM / 3600.0
 """Metres a second of a knot."""
+FT_MIN_PER_FT_S: Final = 60.0
+"""Feet a minute of a foot a second; exact."""
 
 
 def ft_from_m(metres: float) -> float:

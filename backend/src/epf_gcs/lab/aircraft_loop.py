@@ -15,10 +15,9 @@ from epf_gcs.simulator.airframe import ground_course
 from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import FT_S_PER_KT
-from epf_gcs.units import M_PER_FT
+from epf_gcs.units import FT_MIN_PER_FT_S, M_PER_FT
 from epf_gcs.xplane.datagram import Surfaces
 
-_FPM_PER_FPS: Final = 60.0
 _AUTOPILOT, _AUTOTRIM = 4, 5
 _CHANNELS: Final = 12
 _FIELDS: Final = (
@@ -66,7 +65,7 @@ class AircraftLoop(FaultyLockStep):
         heading_deg = math.degrees(heading) % 360.0
         told = [
             *(p, q, r, heading_deg, math.degrees(pitch), math.degrees(roll)),
-            *(indicated_ft, -down * _FPM_PER_FPS, cas_kt, latitude_deg, longitude_deg, altitude_ft),
+            *(indicated_ft, -down * FT_MIN_PER_FT_S, cas_kt, latitude_deg, longitude_deg, altitude_ft),
             *(math.hypot(north, east) / FT_S_PER_KT, ground_course(north, east, heading_deg), 0.0),
         ]
         for sensor in self._sensors:

@@ -185,4 +185,4 @@ PROGRAM: Final[tuple[tuple[str, Check], ...]] = (
     ("the binary mode is left, and opened again", _leaves),
     ("a reset starts it anew, with all streams off", _starts_anew),
 )
-"""The same, of a board that is a program, with a clock and a shell."""
+"""The same for a board that runs as a program: it has a clock and a text shell."""

@@ -11,8 +11,8 @@ from epf_gcs.earth import M_PER_DEG
 from epf_gcs.lab.faults import Fault
 from epf_gcs.simulator.link import Link, LinkQuality
 from epf_gcs.simulator.state import Controls
+from epf_gcs.units import FT_MIN_PER_FT_S
 
-_FT_MIN_PER_FT_S: Final = 60.0
 # What differs by less is rounding.
 _SHOWS: Final = 1e-9
 
@@ -86,7 +86,7 @@ class SensorEffect(Effect):
                 return self._elsewhere(since_s, truth)
             case "barometer":
                 altitude_ft, vvi_ft_min = truth
-                drifts = self.fault.amount * _FT_MIN_PER_FT_S if self.fault.kind == "drift" else 0.0
+                drifts = self.fault.amount * FT_MIN_PER_FT_S if self.fault.kind == "drift" else 0.0
                 return [altitude_ft + self._off(since_s), vvi_ft_min + drifts]
             case "pitot":
                 return [truth[0] + self._off(since_s)]

@@ -104,7 +104,7 @@ class Fault:
     strength: float | None = None
 
     def __post_init__(self) -> None:
-        """Raises LabError for a fault that there is none of, or that cannot be as it is asked."""
+        """Raises LabError for an unknown fault, or one that cannot be as it is asked."""
         if self.place in _NOT_CARRIED:
             raise LabError(f"{self.place}.{self.kind} cannot be flown: {_NOT_CARRIED[self.place]}")
         if self.place not in KINDS:
@@ -151,12 +151,12 @@ Asked = Fault | str | Mapping[str, object]
 
 
 def read(asked: Iterable[Asked]) -> tuple[Fault, ...]:
-    """The faults of a flight. Raises LabError as `Fault`, or for what is none."""
+    """The faults of a flight. Raises LabError as `Fault`, or for what cannot be read as a fault."""
     return tuple(_one(fault) for fault in asked)
 
 
 def told(asked: Iterable[Asked]) -> str:
-    """As text, also of what is none."""
+    """As text, also of what cannot be read as a fault."""
     return " ".join(_told(fault) for fault in asked)
 
 

@@ -31,9 +31,9 @@ from epf_gcs.simulator.models import AIRCRAFT
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.state import Controls
 from epf_gcs.simulator.trim import trimmed
+from epf_gcs.units import FT_MIN_PER_FT_S
 from epf_gcs.xplane.datagram import Surfaces
 
-_FPM_PER_FPS: Final = 60.0
 _READ: Final = (
     "latitude_deg",
     "longitude_deg",
@@ -203,7 +203,7 @@ class LockStep:
             math.degrees(pitch),
             math.degrees(roll),
             indicated_ft,
-            -down * _FPM_PER_FPS,
+            -down * FT_MIN_PER_FT_S,
             cas_kt,
             values[0],
             values[1],

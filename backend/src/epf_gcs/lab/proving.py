@@ -19,7 +19,7 @@ SUITES: Final = tuple(_NAMED)
 
 
 def run_suites(names: Sequence[str], seeds: int, laws: Path | None, junit: Path | None) -> int:
-    """Run suites, all without names; returns pytest's exit code. Raises LabError for a name that there is none of."""
+    """Run suites, all without names; returns pytest's exit code. Raises LabError for an unknown name."""
     if find_spec("pytest") is None:
         raise LabError("the suites need pytest: pip install pytest")
     unknown = [name for name in names if name not in _NAMED]

@@ -69,7 +69,7 @@ class RecordedLine:
 
 
 def read_line(path: Path) -> RecordedLine:
-    """Read a recording. Raises LabError if it is none, or holds no HIL flight."""
+    """Read a recording. Raises LabError for another kind of file, or one without a HIL flight."""
     line, reader = RecordedLine(), _Reader()
     try:
         for item in walk(path):

@@ -17,6 +17,7 @@ from epf_gcs.extras import SIM
 from epf_gcs.simulator.models import AircraftModel
 from epf_gcs.simulator.situation import AIRPORT_ELEVATION_FT, FT_S_PER_KT, Loading, Situation, Start, Turbulence
 from epf_gcs.simulator.state import Controls, FlightState
+from epf_gcs.units import FT_MIN_PER_FT_S
 
 if TYPE_CHECKING:
     from jsbsim import FGFDMExec, FGPropertyNode
@@ -33,7 +34,6 @@ _BRAKE_BELOW_THROTTLE: Final = 0.05
 
 _EARTH_DEG_PER_S: Final = math.degrees(7.292115e-5)
 _INHG_PER_PSF: Final = 1.0 / 70.7262
-_FPM_PER_FPS: Final = 60.0
 _FREEZING_RANKINE: Final = 491.67
 
 # MIL-F-8785C: wind at 20 ft [ft/s] and the index of the probability of exceedance for JSBSim's model.
@@ -197,7 +197,7 @@ class Airframe:
             airspeed_true_kt=true_kt,
             speed_ground_kt=ground_ft_s / FT_S_PER_KT,
             mach=raw["mach"],
-            vvi_ft_min=-raw["down_ft_s"] * _FPM_PER_FPS,
+            vvi_ft_min=-raw["down_ft_s"] * FT_MIN_PER_FT_S,
             load_normal_g=-raw["load_z"],
             load_axial_g=raw["load_x"],
             load_side_g=raw["load_y"],
