@@ -210,7 +210,8 @@ class ReplayConversation:
             case {"type": "ack", "seq": int(seq)} if self._viewer.acknowledge(seq):
                 if self._viewer.waiting:
                     self._hub.serve(self._viewer)
-                    self._loop.call_soon(self._tell_taken)
+                # Samples that came while the viewer was queued have been sent since, without a word to the replay.
+                self._loop.call_soon(self._tell_taken)
                 return None
             case {"type": "ack"}:
                 return "An acknowledgement named a batch that is not under way: send the seq of a batch."
