@@ -13,7 +13,7 @@ export default defineConfig({
   ...(process.env.GCS_STATION === undefined ? {} : { grep: /@any-station/ }),
   // Every journey has a board, a simulator and a gateway of its own, and waits for conditions alone; it needs half of a
   // core, so that two cores have room for three journeys at a time. A station that runs already has one operator.
-  workers: process.env.GCS_STATION === undefined ? 3 : 1,
+  workers: process.env.GCS_STATION === undefined ? 4 : 1,
   fullyParallel: process.env.GCS_STATION === undefined,
   forbidOnly: true,
   retries: 0,

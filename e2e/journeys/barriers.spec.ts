@@ -3,6 +3,7 @@ import type { Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
 import { openMenu } from "../support/menu.js";
 import { openTab, TABS } from "../support/tabs.js";
+import { ANY_STATION } from "../support/there.js";
 
 /** What the page breaks of the rules of accessibility, as it stands. `rules`: only these. */
 async function barriers(page: Page, what: string, rules: readonly string[] = []): Promise<string[]> {
@@ -32,7 +33,10 @@ async function brokenRules(page: Page, rules: readonly string[]) {
   return violations.map(({ id, nodes }) => ({ id, html: nodes[0]?.html }));
 }
 
-test("nothing keeps people out: every tab and window, in every look", async ({ page, flying }) => {
+test("nothing keeps people out: every tab and window, in every look", { tag: ANY_STATION }, async ({
+  page,
+  flying,
+}) => {
   await open(page, flying);
   const found: string[] = [];
   for (const look of ["Oscuro", "Claro", "Sol"]) {

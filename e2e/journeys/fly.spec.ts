@@ -45,10 +45,9 @@ const SIZES = [
 ];
 
 for (const viewport of SIZES) {
-  test(`a first visitor sees at once what flies and where to, and sends it on (${viewport.width} × ${viewport.height})`, async ({
-    browser,
-    flying,
-  }) => {
+  test(`a first visitor sees at once what flies and where to, and sends it on (${viewport.width} × ${viewport.height})`, {
+    tag: ANY_STATION,
+  }, async ({ browser, flying }) => {
     const context = await browser.newContext({ viewport, locale: "es-ES" });
     const page = await context.newPage();
     await page.goto(flying.url, { waitUntil: "domcontentloaded" });

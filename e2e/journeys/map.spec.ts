@@ -1,6 +1,7 @@
 import type { Page } from "@playwright/test";
 import { attitude, expect, open, test } from "../support/fixtures.js";
 import { openTab } from "../support/tabs.js";
+import { ANY_STATION } from "../support/there.js";
 
 declare global {
   interface Window {
@@ -28,7 +29,7 @@ async function indicated(page: Page): Promise<{ pitch_deg: number; roll_deg: num
   return { pitch_deg: Number(pitchDeg), roll_deg: Number(rollDeg) };
 }
 
-test("the page without the map loads nothing of the globe", async ({ page, flying }) => {
+test("the page without the map loads nothing of the globe", { tag: ANY_STATION }, async ({ page, flying }) => {
   const asked: string[] = [];
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
   await open(page, flying);
@@ -37,10 +38,9 @@ test("the page without the map loads nothing of the globe", async ({ page, flyin
   expect(asked.filter((path) => /cesium|globe-engine|coastline/i.test(path))).toEqual([]);
 });
 
-test("the globe shows the flight from behind and from the cockpit, and asks nobody but the gateway", async ({
-  page,
-  flying,
-}) => {
+test("the globe shows the flight from behind and from the cockpit, and asks nobody but the gateway", {
+  tag: ANY_STATION,
+}, async ({ page, flying }) => {
   await open(page, flying);
   await openMap(page);
   const panel = page.locator(".map-camera");

@@ -1,5 +1,6 @@
 import { test as base, type ConsoleMessage, expect, type Page } from "@playwright/test";
 import { Station } from "./station.js";
+import { ANY_STATION } from "./there.js";
 
 type Fixtures = {
   /** A station that is up, with both links closed. */
@@ -13,6 +14,21 @@ type Fixtures = {
   /** A station whose aircraft flies the Gando route. */
   flying: Station;
 };
+
+/** One station for all journeys of a worker that serve with any, started when the first of them comes. */
+class SharedStation {
+  private station: Station | undefined;
+
+  async take(): Promise<Station> {
+    if (this.station === undefined) this.station = await Station.start();
+    else await this.station.land();
+    return this.station;
+  }
+
+  async stop(): Promise<void> {
+    await this.station?.stop();
+  }
+}
 
 /** Answers of a station whose flight process is away, or is not ready yet. */
 const NOT_NOW = new Set(["409", "502", "503"]);
@@ -37,13 +53,28 @@ const SLOW_GRAPHICS = /GL Driver Message \(OpenGL, Performance/;
 /**
  * The journeys' test: any console error, any exception in the page and any request that leaves the gateway fails it.
  */
-export const test = base.extend<Fixtures>({
+export const test = base.extend<Fixtures, { shared: SharedStation }>({
+  shared: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright reads from it which fixtures are needed
+    async ({}, use) => {
+      const shared = new SharedStation();
+      await use(shared);
+      await shared.stop();
+    },
+    { scope: "worker" },
+  ],
+
   boardOptions: [[], { option: true }],
   trustsThisComputer: [true, { option: true }],
   isNew: [false, { option: true }],
 
-  station: async ({ boardOptions, trustsThisComputer, isNew }, use) => {
-    const station = (await Station.there()) ?? (await Station.start(boardOptions, trustsThisComputer, isNew));
+  station: async ({ boardOptions, trustsThisComputer, isNew, shared }, use, info) => {
+    const there = await Station.there();
+    if (there !== undefined || info.tags.includes(ANY_STATION)) {
+      await use(there ?? (await shared.take()));
+      return;
+    }
+    const station = await Station.start(boardOptions, trustsThisComputer, isNew);
     await use(station);
     await station.stop();
   },

@@ -37,11 +37,7 @@ export class Station {
     const there = stationThere();
     if (there === undefined) return undefined;
     const station = new Station(there.url, undefined, { receive_port: 49003, send_port: 49000 }, false, there.cookie);
-    // The page of the journey before has control until the station has noticed that it is gone.
-    await until("both links to be closed", async () => {
-      await station.closeLinks();
-      return true;
-    });
+    await station.land();
     await station.endFirstStart();
     return station;
   }
@@ -136,6 +132,14 @@ export class Station {
     await until("the closed loop", async () =>
       (await this.status()).simulator.hil_round_trip_ms.newest === null ? undefined : true,
     );
+  }
+
+  /** Both links closed, for the next journey. The page of the one before has control until the station notices its end. */
+  async land(): Promise<void> {
+    await until("both links to be closed", async () => {
+      for (const name of ["board", "simulator"]) await this.request("DELETE", `links/${name}`);
+      return true;
+    });
   }
 
   async openBoard(): Promise<void> {
@@ -235,10 +239,6 @@ export class Station {
 
   private async endFirstStart(): Promise<void> {
     await this.request("DELETE", "first-start");
-  }
-
-  private async closeLinks(): Promise<void> {
-    for (const name of ["board", "simulator"]) await this.request("DELETE", `links/${name}`);
   }
 
   // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
