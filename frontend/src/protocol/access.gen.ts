@@ -129,6 +129,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/recordings", method: "GET", tag: "recordings", least: "viewer", control: false },
   { path: "/recordings/{recording_id}", method: "GET", tag: "recordings", least: "viewer", control: false },
   { path: "/recordings/{recording_id}/export", method: "GET", tag: "recordings", least: "viewer", control: false },
+  { path: "/simulators", method: "GET", tag: "links", least: "viewer", control: false },
   { path: "/status", method: "GET", tag: "state", least: "viewer", control: false },
   { path: "/surroundings", method: "GET", tag: "surroundings", least: "viewer", control: false },
   { path: "/surroundings", method: "PUT", tag: "surroundings", least: "operator", control: false },

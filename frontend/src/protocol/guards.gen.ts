@@ -1658,6 +1658,16 @@ export const isSignals = shape({
 });
 export type Signals = Checked<typeof isSignals>;
 
+/** An X-Plane heard within the last 5 s: its computer's name, its version, and how its rows are read. */
+export const isSimulatorHeard = shape({
+  host: isText,
+  name: isText,
+  port: isNumber,
+  profile: oneOf("xp10", "xp12"),
+  version: isText,
+});
+export type SimulatorHeard = Checked<typeof isSimulatorHeard>;
+
 /** The simulator put its aircraft elsewhere: a reset or a new start. Feet are indicated altitude. */
 export const isSimulatorJumpEvent = shape({
   altitude_ft: isNumber,
@@ -1679,7 +1689,8 @@ export type UnusableValue = Checked<typeof isUnusableValue>;
 /** The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken.
  *
  * `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
- * `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live. */
+ * `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live.
+ * `tells_rows`: X-Plane is told by the station which rows to send, and where to. */
 export const isSimulatorStatus = shape({
   advice: nullable(isText),
   bytes_in: isNumber,
@@ -1701,9 +1712,16 @@ export const isSimulatorStatus = shape({
   send_host: nullable(isText),
   send_port: nullable(isNumber),
   state: oneOf("closed", "opening", "open", "lost"),
+  tells_rows: isFlag,
   unusable: list(isUnusableValue),
 });
 export type SimulatorStatus = Checked<typeof isSimulatorStatus>;
+
+/** All X-Planes on the networks of the station's computer. */
+export const isSimulatorsHeard = shape({
+  simulators: list(isSimulatorHeard),
+});
+export type SimulatorsHeard = Checked<typeof isSimulatorsHeard>;
 
 /** The board's aircraft by its GPS, and the simulator's. */
 export const isSurroundingsState = shape({

@@ -1,4 +1,4 @@
-import { isCommandOutcome, isPorts } from "../protocol/guards.gen";
+import { isCommandOutcome, isPorts, isSimulatorsHeard, type SimulatorHeard } from "../protocol/guards.gen";
 import type { CommandName } from "../protocol/messages.gen";
 import type { Outcome } from "../store/commands";
 import { failureMessage, type Message } from "../store/messages";
@@ -16,6 +16,8 @@ export interface SimulatorLink {
   readonly send_host: string;
   readonly send_port: number;
   readonly profile: "xp10" | "xp12";
+  /** Whether an X-Plane is told which rows to send, and where to. */
+  readonly tells_rows: boolean;
 }
 
 /**
@@ -52,6 +54,8 @@ export interface Actions {
   readonly changeControl: (change: ControlChange, asker: Asker) => Promise<void>;
   /** The ports, or the message of the failure. */
   readonly listPorts: () => Promise<readonly Port[] | Message>;
+  /** The X-Planes on the station's networks; none where that cannot be read. */
+  readonly listSimulators: () => Promise<readonly SimulatorHeard[]>;
 }
 
 export const ACTIONS = partName<Actions>("actions");
@@ -114,6 +118,11 @@ export function createActions(parts: ActionParts): Actions {
       return answer.ok
         ? answer.value.ports.map(({ path, description }) => ({ device: path, description }))
         : failureMessage(answer.problem);
+    },
+
+    listSimulators: async () => {
+      const answer = await rest.ask("GET", "/api/v1/simulators", isSimulatorsHeard);
+      return answer.ok ? answer.value.simulators : [];
     },
   };
 }

@@ -94,12 +94,16 @@ class CloseBoard(Request[None]):
 
 @dataclass(frozen=True, slots=True)
 class OpenSimulator(Request[LinkResult]):
-    """Listen for the simulator's datagrams, and send it the surfaces."""
+    """Listen for the simulator's datagrams, and send it the surfaces.
+
+    `tells_rows`: an X-Plane is told which rows to send, and where to; nobody has to click in it.
+    """
 
     receive_port: int
     send_host: str
     send_port: int
     profile: SimulatorProfile
+    tells_rows: bool = False
 
 
 @dataclass(frozen=True, slots=True)

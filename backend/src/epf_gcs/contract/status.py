@@ -119,12 +119,14 @@ class SimulatorStatus(Shape):
 
     `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
     `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live.
+    `tells_rows`: X-Plane is told by the station which rows to send, and where to.
     """
 
     state: LinkState = "closed"
     receive_port: int | None = None
     send_host: str | None = None
     send_port: int | None = None
+    tells_rows: bool = False
     profile: SimulatorProfile | None = None
     fitting_profile: SimulatorProfile | None = None
     failure: Failure | None = None

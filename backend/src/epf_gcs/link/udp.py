@@ -176,6 +176,17 @@ class UdpLink:
         """Host and port of the accepted sender, None before its first datagram."""
         return None if self._pinned is None else _spelled(self._pinned)
 
+    @property
+    def own_host(self) -> str | None:
+        """Our IPv4 address towards the simulator; None without a way there, and where it is reached by IPv6 alone."""
+        where = next((where for family, where in self._send_to if family == socket.AF_INET), None)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe, contextlib.suppress(OSError):
+            # Connecting such a socket sends nothing: it asks the system for the way.
+            if where is not None:
+                probe.connect(where)
+                return str(probe.getsockname()[0])
+        return None
+
     def send(self, datagram: bytes) -> bool:
         """Send at once; a datagram that cannot be sent is counted and dropped."""
         if self._closed:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Final
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
-from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.messages_gen import COMMANDS, DATAGRAM_MAGIC
 from epf_gcs.contract.events import ErrorEvent, noted_event
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.error_log import ErrorLog
@@ -212,7 +212,8 @@ class Playhead:
                 if self._first_to_board_s is None:
                     self._first_to_board_s = self._to_board_s
         elif topic == SIMULATOR_SENT:
-            self.frames_to_simulator += 1
+            # Not what an X-Plane is told to send.
+            self.frames_to_simulator += data.startswith(DATAGRAM_MAGIC)
         elif item.note is not None:
             self._take_note(item.note)
 

@@ -17,6 +17,7 @@ from epf_gcs.access.admission import Admission
 from epf_gcs.access.caller import Caller
 from epf_gcs.access.changes import HolderChange
 from epf_gcs.access.control import Control
+from epf_gcs.beacons.listener import BeaconListener
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.contract.events import ErrorEvent, Event
@@ -89,6 +90,7 @@ class Station:
         self.status = WholeStatus(
             lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state, loop=loop
         )
+        self.beacons = BeaconListener(self.clock.steady_s)
         self.fields = Fields(self.maps, self.hub.say, errors.report)
         self.flights = Flights(
             Places(data_dir),
@@ -113,6 +115,7 @@ class Station:
             "tracks": self.tracks,
             "maps": self.maps,
             "fields": self.fields,
+            "beacons": self.beacons,
             "inspector": SharedInspector(lambda: self.vehicle.ask(ReadInspector()), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
             "flights": self.flights,
@@ -157,6 +160,7 @@ class Station:
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
                         ("fields", self.fields.run),
+                        ("beacons", self.beacons.run),
                         ("track", self.tracks.run),
                         ("surroundings", self.surroundings.run),
                         ("flights", self.flights.run),

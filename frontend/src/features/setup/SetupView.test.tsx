@@ -118,6 +118,35 @@ describe("the simulator's line", () => {
     });
   });
 
+  test("takes address and profile from an X-Plane that is heard, and has it send its rows by itself", async () => {
+    const found = within(simulator()).getByRole("combobox", { name: "X-Plane en la red" });
+    expect(found.textContent).toContain("Escuchando");
+    station.show();
+    const looks = station.asked.filter(({ path }) => path === "/api/v1/simulators");
+    const heard = { name: "sim-pc", host: "192.168.1.9", port: 49010, version: "12.14", profile: "xp12" };
+    await looks.at(-1)?.answer({ simulators: [heard] });
+    await user.selectOptions(found, "sim-pc · X-Plane 12.14 · 192.168.1.9");
+    await user.click(within(simulator()).getByRole("button", { name: /Open/ }));
+    expect(newest("PUT").body).toEqual({
+      receive_port: 49003,
+      send_host: "192.168.1.9",
+      send_port: 49010,
+      profile: "xp12",
+      tells_rows: true,
+    });
+  });
+
+  test("says that no X-Plane is heard, and looks again", async () => {
+    station.show();
+    const looks = () => station.asked.filter(({ path }) => path === "/api/v1/simulators");
+    await looks().at(-1)?.answer({ simulators: [] });
+    expect(simulator().textContent).toContain("No se oye ninguno");
+    const asked = looks().length;
+    station.pass(2_100);
+    station.show();
+    expect(looks().length).toBe(asked + 1);
+  });
+
   test("whose port is taken says so", () => {
     const failure = { code: "port_taken", detail: "Taken.", params: { target: "UDP 49003" } };
     station.status({ ...closed, simulator: { ...closed.simulator, state: "lost", failure } });

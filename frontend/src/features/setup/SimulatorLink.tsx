@@ -7,10 +7,12 @@ import type { SimulatorLink as Link } from "../../requests/actions";
 import { ACTIONS } from "../../requests/actions";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
+import { useReread } from "../../requests/useReread";
 import { useCommandEntry, useConnection, usePage, usePart, useSettings } from "../../store/hooks";
 import { failureMessage } from "../../store/messages";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
+import { Checkbox } from "../../ui/Checkbox";
 import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
 import { EditScope } from "../../ui/openEdits";
@@ -23,6 +25,8 @@ import { useRowName } from "./RowTable";
 const RECEIVE_PORT = 49003;
 const SEND_PORT = 49000;
 const PROFILES = ["xp10", "xp12"] as const;
+/** X-Plane says once a second that it is there. */
+const LOOK_EVERY_MS = 2_000;
 
 /** "XPlane": where the simulator is, which ports, and what comes from it. */
 export function SimulatorLink() {
@@ -52,6 +56,7 @@ function useLink(): Link {
     send_port: port(choices["simulator.sendPort"], open?.send_port ?? SEND_PORT),
     receive_port: port(choices["simulator.receivePort"], open?.receive_port ?? RECEIVE_PORT),
     profile: PROFILES.find((known) => known === profile) ?? open?.profile ?? "xp10",
+    tells_rows: (choices["simulator.tellsRows"] ?? `${open?.tells_rows}`) === "true",
   };
 }
 
@@ -66,8 +71,8 @@ function useOpenLink(): Link | null {
   ) {
     return null;
   }
-  const { send_host, send_port, receive_port, profile } = open;
-  return { send_host, send_port, receive_port, profile };
+  const { send_host, send_port, receive_port, profile, tells_rows } = open;
+  return { send_host, send_port, receive_port, profile, tells_rows };
 }
 
 /** Address, ports, open and close, and what is not received. */
@@ -87,6 +92,7 @@ export function SimulatorForm() {
   const blocked = useGatewayBlocked();
   return (
     <div className="setup-form">
+      <HeardSimulators link={link} />
       <div className="setup-row">
         <TextField
           label={t("setup.host")}
@@ -124,6 +130,11 @@ export function SimulatorForm() {
           step={1}
         />
       </div>
+      <Checkbox
+        label={t("setup.tellsRows")}
+        checked={link.tells_rows}
+        onChange={(checked) => choose(settings, "simulator.tellsRows", String(checked))}
+      />
       <div className="setup-buttons">
         <Button
           takesFields
@@ -149,6 +160,41 @@ export function SimulatorForm() {
   );
 }
 
+/** The X-Planes that say on the network that they are there; one that is chosen fills the fields below. */
+function HeardSimulators({ link }: { readonly link: Link }) {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const heard = useReread(usePart(ACTIONS).listSimulators, LOOK_EVERY_MS);
+  const known = heard ?? [];
+  const chosen = known.find(({ host, port: at }) => host === link.send_host && at === link.send_port);
+  const place = ({ host, port: at }: { host: string; port: number }): string => `${host}:${at}`;
+  return (
+    <Select
+      label={t("setup.heard")}
+      options={known.map((one) => ({
+        value: place(one),
+        label: `${one.name} · X-Plane ${one.version} · ${one.host}`,
+      }))}
+      value={chosen === undefined ? null : place(chosen)}
+      onChange={(value) => {
+        const one = known.find((each) => place(each) === value);
+        if (one === undefined) return;
+        choose(settings, "simulator.host", one.host);
+        choose(settings, "simulator.sendPort", String(one.port));
+        choose(settings, "simulator.profile", one.profile);
+        choose(settings, "simulator.tellsRows", "true");
+      }}
+      placeholder={
+        heard === null
+          ? t("setup.listening")
+          : known.length === 0
+            ? t("setup.noneHeard")
+            : t("setup.chooseHeard", { count: known.length })
+      }
+    />
+  );
+}
+
 /** What is not received although the port is open. */
 function Advice() {
   const { t } = useTranslation();
@@ -156,8 +202,9 @@ function Advice() {
     phase === "open" ? status?.simulator.state : undefined,
   );
   const missing = useConnection(({ status }) => status?.simulator.missing_rows.join(", ") ?? "");
+  const isTold = useConnection(({ status }) => status?.simulator.tells_rows === true);
   if (state === "opening") {
-    return <Notice level="info">{t("setup.nothingHeard")}</Notice>;
+    return <Notice level="info">{t(isTold ? "setup.toldNothingHeard" : "setup.nothingHeard")}</Notice>;
   }
   return state !== "open" ? null : (
     <>

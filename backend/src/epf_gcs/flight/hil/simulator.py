@@ -2,35 +2,45 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
 
+from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.link.base import Tap
 from epf_gcs.link.kept_open import KeepsOpen, KeptOpen, LinkHandlers
 from epf_gcs.link.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp
+from epf_gcs.repeating import Repeating
 from epf_gcs.xplane.datagram import parse, release_datagram
+from epf_gcs.xplane.output import output_datagrams
 
 State = Literal["closed", "opening", "open", "lost"]
 Profile = Literal["xp10", "xp12"]
 
 _LOST_AFTER_S: Final = 1.0
+# X-Plane answers nothing: it is told again until its rows come, and again after it was started anew.
+_TELL_EVERY_S: Final = 1.0
 # The rate X-Plane's network output is designed for; the channel's load is shown in percent of it.
 CHANNEL_BYTES_PER_S: Final = 73000
 
 
 @dataclass(frozen=True, slots=True)
 class SimulatorAddress:
-    """Where the simulator is, and which generation of it."""
+    """Where the simulator is, and which generation of it. `tells_rows`: X-Plane is told which rows to send, and where.
+
+    Without it, X-Plane's user has ticked them in its data output.
+    """
 
     receive_port: int
     send_host: str
     send_port: int
     profile: Profile
+    tells_rows: bool = False
 
     @property
     def name(self) -> str:
@@ -73,6 +83,7 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
         self.dropped: Counter[str] = Counter()
         self.last_stranger_s: float | None = None
         self.last_stranger: str | None = None
+        self._telling = Repeating(asyncio.get_running_loop(), "rows asked of X-Plane", self._tell_rows, _TELL_EVERY_S)
         self._kept = KeptOpen(
             LinkHandlers(
                 open=self._bind,
@@ -121,8 +132,22 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
     def _begin(self, address: SimulatorAddress, link: UdpLink) -> None:
         self._last_datagram_s = None
         self._hil.begin(link, address.profile)
+        if address.tells_rows:
+            self._telling.arm()
+
+    def _tell_rows(self) -> float | None:
+        """Have X-Plane send its rows here, unless it does; None where that is its user's matter."""
+        link, address = self._kept.link, self.address
+        if link is None or address is None or not address.tells_rows:
+            return None
+        own_host = link.own_host
+        if own_host is not None and (self.state != "open" or self._hil.missing_rows):
+            for datagram in output_datagrams(own_host, link.receive_port, XPLANE_ROWS[address.profile]):
+                link.send(datagram)
+        return _TELL_EVERY_S
 
     def _end(self, link: UdpLink) -> None:
+        self._telling.cancel()
         link.send(release_datagram())
         link.close()
         self._hil.end()

@@ -77,6 +77,7 @@ def _simulator(parts: StateSources) -> SimulatorStatus:
         receive_port=address.receive_port if address else None,
         send_host=address.send_host if address else None,
         send_port=address.send_port if address else None,
+        tells_rows=address is not None and address.tells_rows,
         profile=address.profile if address else None,
         fitting_profile=hil.fitting_profile,
         failure=_failure(simulator.failure),

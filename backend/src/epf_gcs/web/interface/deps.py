@@ -16,6 +16,7 @@ from epf_gcs.access.caller import Caller, Credentials
 from epf_gcs.access.control import Control
 from epf_gcs.access.limits import holder_of
 from epf_gcs.access.roles import Role
+from epf_gcs.beacons.listener import BeaconListener
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
@@ -69,6 +70,8 @@ RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
 ChecklistDep = Annotated[KeptChecklist, _part("checklist")]
 RehearsalsDep = Annotated[Rehearsals, _part("rehearsals")]
 """Flies plans in a model before they are sent."""
+BeaconsDep = Annotated[BeaconListener, _part("beacons")]
+"""The X-Planes on this computer's networks."""
 SurroundingsDep = Annotated[Surroundings, _part("surroundings")]
 FirstStartDep = Annotated[FirstStart, _part("first_start")]
 DoctorDep = Annotated[Doctor, _part("doctor")]

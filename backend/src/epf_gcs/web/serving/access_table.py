@@ -48,6 +48,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/control"): _SEES,
     ("POST", "/control"): Entry(_operator, deed="control"),
     ("GET", "/ports"): _SEES,
+    ("GET", "/simulators"): _SEES,
     ("PUT", "/links/board"): _command("link"),
     ("DELETE", "/links/board"): _command("link"),
     ("PUT", "/links/simulator"): _command("link"),

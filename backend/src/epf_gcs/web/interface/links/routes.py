@@ -6,8 +6,8 @@ from fastapi import APIRouter, status
 
 from epf_gcs.contract.answers import LinkResult
 from epf_gcs.contract.requests import CloseBoard, CloseSimulator, OpenBoard, OpenSimulator, ReadPorts
-from epf_gcs.web.interface.deps import OperatorDep, VehicleDep
-from epf_gcs.web.interface.links.schemas import BoardLink, Ports, SimulatorLink
+from epf_gcs.web.interface.deps import BeaconsDep, OperatorDep, VehicleDep
+from epf_gcs.web.interface.links.schemas import BoardLink, Ports, SimulatorHeard, SimulatorLink, SimulatorsHeard
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["links"])
@@ -17,6 +17,23 @@ router = APIRouter(tags=["links"])
 async def get_ports(vehicle: VehicleDep) -> Ports:
     """The serial ports of the machine that the gateway runs on."""
     return Ports(ports=await vehicle.ask(ReadPorts()))
+
+
+@router.get("/simulators", responses=reading_problems())
+async def get_simulators(beacons: BeaconsDep) -> SimulatorsHeard:
+    """The X-Planes that say on the network that they are there; listened to while somebody asks every few seconds."""
+    return SimulatorsHeard(
+        simulators=[
+            SimulatorHeard(
+                name=found.beacon.name,
+                host=found.host,
+                port=found.beacon.port,
+                version=found.beacon.version_text,
+                profile=found.beacon.profile,
+            )
+            for found in beacons.look()
+        ]
+    )
 
 
 @router.put("/links/board", responses=problems(409))

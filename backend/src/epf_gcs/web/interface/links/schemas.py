@@ -23,10 +23,27 @@ class BoardLink(Input):
     url: str = Field(min_length=1, max_length=500)
 
 
+class SimulatorHeard(Output):
+    """An X-Plane heard within the last 5 s: its computer's name, its version, and how its rows are read."""
+
+    name: str
+    host: str
+    port: int
+    version: str
+    profile: Literal["xp10", "xp12"]
+
+
+class SimulatorsHeard(Output):
+    """All X-Planes on the networks of the station's computer."""
+
+    simulators: list[SimulatorHeard]
+
+
 class SimulatorLink(Input):
-    """Where we listen, and where the simulator is."""
+    """Where we listen, and where the simulator is. `tells_rows`: have an X-Plane send its rows here by itself."""
 
     receive_port: Port = RECEIVE_PORT
     send_host: str = Field("127.0.0.1", min_length=1, max_length=253, pattern=r"^[A-Za-z0-9._:\-]+$")
     send_port: Port = SEND_PORT
     profile: Literal["xp10", "xp12"] = "xp10"
+    tells_rows: bool = False

@@ -1,0 +1,1 @@
+"""Simulators that say on the network that they are there."""
