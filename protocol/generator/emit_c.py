@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from .emit_c_body import packers
-from .model import Definition, Message, Slot
+from .model import TEXT_TYPES, TYPE_SIZES, Definition, Message, Slot
 
 NOTICE = "// Made by protocol/generator (emit_c.py). Do not edit: change protocol/definition and run `make generate`."
 
@@ -16,7 +16,7 @@ C_TYPES = {
     "u32": "uint32_t",
     "f32": "float",
     "f64": "double",
-    "char16": "char",
+    **dict.fromkeys(TEXT_TYPES, "char"),
 }
 
 
@@ -277,8 +277,8 @@ def message_slot(message: Message, position: int) -> Slot:
 
 def declared(slot: Slot) -> str:
     """The field's name as it is declared, with its array size."""
-    if slot.type == "char16":
-        return f"{slot.name}[16]"
+    if slot.type in TEXT_TYPES:
+        return f"{slot.name}[{TYPE_SIZES[slot.type]}]"
     return f"{slot.name}[{slot.count}]" if slot.count > 1 else slot.name
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from .model import TYPE_SIZES, Message, Slot
+from .model import TEXT_TYPES, TYPE_SIZES, Message, Slot
 
 HELPERS = """\
 uint16_t protocol_get_u16(const uint8_t* const in)
@@ -80,7 +80,7 @@ PUT = {
     "u32": "protocol_put_u32(payload + {at}, values->{name});",
     "f32": "protocol_put_f32(payload + {at}, values->{name});",
     "f64": "protocol_put_f64(payload + {at}, values->{name});",
-    "char16": "memcpy(payload + {at}, values->{name}, 16);",
+    **{text: f"memcpy(payload + {{at}}, values->{{name}}, {TYPE_SIZES[text]});" for text in sorted(TEXT_TYPES)},
 }
 GET = {
     "i8": "values->{name} = (int8_t)payload[{at}];",
@@ -89,7 +89,7 @@ GET = {
     "u32": "values->{name} = protocol_get_u32(payload + {at});",
     "f32": "values->{name} = protocol_get_f32(payload + {at});",
     "f64": "values->{name} = protocol_get_f64(payload + {at});",
-    "char16": "memcpy(values->{name}, payload + {at}, 16);",
+    **{text: f"memcpy(values->{{name}}, payload + {{at}}, {TYPE_SIZES[text]});" for text in sorted(TEXT_TYPES)},
 }
 
 

@@ -34,8 +34,13 @@ TYPE_SIZES: Mapping[str, int] = {
     "f32": 4,
     "f64": 8,
     "char16": 16,
+    "char32": 32,
+    "char64": 64,
 }
 """Closed list of wire types with their size in bytes. All are little-endian."""
+
+TEXT_TYPES: frozenset[str] = frozenset(name for name in TYPE_SIZES if name.startswith("char"))
+"""Zero-padded ASCII of a fixed size."""
 
 STRUCT_CODES: Mapping[str, str] = {
     "i8": "b",
@@ -45,6 +50,8 @@ STRUCT_CODES: Mapping[str, str] = {
     "f32": "f",
     "f64": "d",
     "char16": "16s",
+    "char32": "32s",
+    "char64": "64s",
 }
 
 

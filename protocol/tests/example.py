@@ -56,7 +56,7 @@ fields_of = "parameters"
 [[message]]
 name = "place"
 id = 0x100
-size = 24
+size = 120
 extension = true
 topic = false
 doc = "A place and its name."
@@ -64,6 +64,8 @@ source = "test"
 fields = [
   { name = "latitude", type = "f64", unit = "deg", range = [-90.0, 90.0], sign = "north", doc = "Where." },
   { name = "title", type = "char16", encoding = "text", doc = "Name." },
+  { name = "country", type = "char32", encoding = "text", doc = "Where it is." },
+  { name = "note", type = "char64", encoding = "text", doc = "More of it." },
 ]
 """,
     "commands": """

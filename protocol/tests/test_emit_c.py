@@ -48,12 +48,12 @@ int main(void)
     message_attitude_unpack(&again, payload);
     printf("%g %g %g %d\n", (double)again.roll_deg, (double)again.servo[0], (double)again.servo[1], again.digits);
 
-    message_place_t place = {27.5, "Gando"};
+    message_place_t place = {27.5, "Gando", "Gran Canaria", "Runway 03"};
     message_place_pack(&place, payload);
     show(payload, MESSAGE_PLACE_SIZE);
     memset(&place, 0, sizeof place);
     message_place_unpack(&place, payload);
-    printf("%g %s\n", place.latitude_deg, place.title);
+    printf("%g %s %s %s\n", place.latitude_deg, place.title, place.country, place.note);
 
     printf("%d %d %d\n", (int)protocol_telemetry_size(0x100u), (int)protocol_command_size(1u),
            (int)protocol_command_size(7u));
@@ -99,11 +99,12 @@ def test_floats_arrays_and_words_are_little_endian(output: list[str]) -> None:
 
 
 def test_doubles_and_text_are_packed(output: list[str]) -> None:
-    assert output[4:6] == ["0000000000803b40" + b"Gando".hex() + "00" * 11, "27.5 Gando"]
+    texts = b"Gando".ljust(16, b"\0") + b"Gran Canaria".ljust(32, b"\0") + b"Runway 03".ljust(64, b"\0")
+    assert output[4:6] == ["0000000000803b40" + texts.hex(), "27.5 Gando Gran Canaria Runway 03"]
 
 
 def test_sizes_are_known_by_type_and_unknown_types_have_none(output: list[str]) -> None:
-    assert output[6] == "24 0 -1"
+    assert output[6] == "120 0 -1"
 
 
 def test_parameters_routes_and_constants_are_in_their_tables(output: list[str]) -> None:

@@ -26,7 +26,7 @@ def test_messages_unpack_the_bytes_of_the_wire(module: dict[str, Any]) -> None:
     message = module["TELEMETRY"][0]
     assert message.struct.unpack(bytes.fromhex("0102feff")) == (1, 2, -2)
     assert [value.name for value in message.values] == ["armed", "auto", "stick", "count"]
-    assert module["TELEMETRY_BY_NAME"]["place"].size == 24
+    assert module["TELEMETRY_BY_NAME"]["place"].size == 120
 
 
 def test_values_carry_unit_range_sign_and_oddity(module: dict[str, Any]) -> None:

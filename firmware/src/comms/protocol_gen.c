@@ -424,6 +424,64 @@ void message_hil_step_unpack(message_hil_step_t* const values, const uint8_t* co
     values->step_s = protocol_get_f32(payload + 4);
 }
 
+void message_description_pack(const message_description_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->row_count);
+    protocol_put_u32(payload + 4, values->table_crc32);
+}
+
+void message_description_unpack(message_description_t* const values, const uint8_t* const payload)
+{
+    values->row_count = protocol_get_i32(payload + 0);
+    values->table_crc32 = protocol_get_u32(payload + 4);
+}
+
+void message_description_row_pack(const message_description_row_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->row);
+    protocol_put_i32(payload + 4, values->kind);
+    protocol_put_i32(payload + 8, values->type);
+    protocol_put_i32(payload + 12, values->needs_restart);
+    protocol_put_f32(payload + 16, values->minimum);
+    protocol_put_f32(payload + 20, values->maximum);
+    protocol_put_f32(payload + 24, values->step);
+    protocol_put_f32(payload + 28, values->default_value);
+    memcpy(payload + 32, values->name, 32);
+    memcpy(payload + 64, values->unit, 16);
+    memcpy(payload + 80, values->group, 16);
+    memcpy(payload + 96, values->choices, 32);
+    memcpy(payload + 128, values->help, 64);
+}
+
+void message_description_row_unpack(message_description_row_t* const values, const uint8_t* const payload)
+{
+    values->row = protocol_get_i32(payload + 0);
+    values->kind = protocol_get_i32(payload + 4);
+    values->type = protocol_get_i32(payload + 8);
+    values->needs_restart = protocol_get_i32(payload + 12);
+    values->minimum = protocol_get_f32(payload + 16);
+    values->maximum = protocol_get_f32(payload + 20);
+    values->step = protocol_get_f32(payload + 24);
+    values->default_value = protocol_get_f32(payload + 28);
+    memcpy(values->name, payload + 32, 32);
+    memcpy(values->unit, payload + 64, 16);
+    memcpy(values->group, payload + 80, 16);
+    memcpy(values->choices, payload + 96, 32);
+    memcpy(values->help, payload + 128, 64);
+}
+
+void message_own_gain_pack(const message_own_gain_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->row);
+    protocol_put_f32(payload + 4, values->value);
+}
+
+void message_own_gain_unpack(message_own_gain_t* const values, const uint8_t* const payload)
+{
+    values->row = protocol_get_i32(payload + 0);
+    values->value = protocol_get_f32(payload + 4);
+}
+
 void command_set_parameter_task_rate_pack(const command_set_parameter_task_rate_t* const values, uint8_t* const payload)
 {
     protocol_put_i32(payload + 0, values->period_ms);
@@ -598,6 +656,38 @@ void command_go_to_waypoint_unpack(command_go_to_waypoint_t* const values, const
     values->index = protocol_get_i32(payload + 4);
 }
 
+void command_describe_item_pack(const command_describe_item_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->row);
+}
+
+void command_describe_item_unpack(command_describe_item_t* const values, const uint8_t* const payload)
+{
+    values->row = protocol_get_i32(payload + 0);
+}
+
+void command_own_gain_get_pack(const command_own_gain_get_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->row);
+}
+
+void command_own_gain_get_unpack(command_own_gain_get_t* const values, const uint8_t* const payload)
+{
+    values->row = protocol_get_i32(payload + 0);
+}
+
+void command_own_gain_set_pack(const command_own_gain_set_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->row);
+    protocol_put_f32(payload + 4, values->value);
+}
+
+void command_own_gain_set_unpack(command_own_gain_set_t* const values, const uint8_t* const payload)
+{
+    values->row = protocol_get_i32(payload + 0);
+    values->value = protocol_get_f32(payload + 4);
+}
+
 int32_t protocol_telemetry_size(const uint32_t id)
 {
     switch (id)
@@ -607,6 +697,8 @@ int32_t protocol_telemetry_size(const uint32_t id)
     case MESSAGE_ACKNOWLEDGEMENT_ID:
     case MESSAGE_MISSION_COUNT_ID:
     case MESSAGE_HIL_STEP_ID:
+    case MESSAGE_DESCRIPTION_ID:
+    case MESSAGE_OWN_GAIN_ID:
         return 8;
     case MESSAGE_HEARTBEAT_ID:
     case MESSAGE_AHRS_ID:
@@ -632,6 +724,8 @@ int32_t protocol_telemetry_size(const uint32_t id)
         return 48;
     case MESSAGE_AUTOPILOT_PARAMETERS_ID:
         return 68;
+    case MESSAGE_DESCRIPTION_ROW_ID:
+        return 192;
     default:
         return -1;
     }
@@ -683,6 +777,7 @@ int32_t protocol_command_size(const uint32_t id)
     case COMMAND_CAPABILITIES_ID:
     case COMMAND_STORE_PARAMETERS_ID:
     case COMMAND_HIL_STEPS_ON_ID:
+    case COMMAND_DESCRIBE_ID:
         return 0;
     case COMMAND_SET_PARAMETER_TASK_RATE_ID:
     case COMMAND_SET_FMS_TASK_RATE_ID:
@@ -709,10 +804,13 @@ int32_t protocol_command_size(const uint32_t id)
     case COMMAND_SELECT_ALTITUDE_SOURCE_ID:
     case COMMAND_MISSION_COMMIT_ID:
     case COMMAND_MISSION_READ_ID:
+    case COMMAND_DESCRIBE_ITEM_ID:
+    case COMMAND_OWN_GAIN_GET_ID:
         return 4;
     case COMMAND_SERVO_OUT_ID:
     case COMMAND_MISSION_BEGIN_ID:
     case COMMAND_GO_TO_WAYPOINT_ID:
+    case COMMAND_OWN_GAIN_SET_ID:
         return 8;
     case COMMAND_MISSION_ITEM_ID:
         return 32;

@@ -12,7 +12,7 @@
 #define PROTOCOL_FORBIDDEN_TYPE_BITS 0x70000000u // clear in every type word
 #define PROTOCOL_OVERHEAD 16u // bytes of a frame besides its payload
 #define PROTOCOL_OPEN_BINARY_MODE "#QT\n"
-#define PROTOCOL_TELEMETRY_SIZE_MAX 68u
+#define PROTOCOL_TELEMETRY_SIZE_MAX 192u
 #define PROTOCOL_COMMAND_SIZE_MAX 60u
 
 /// Payload bytes of a type (without bit 31), or -1 for a type that does not exist.
@@ -68,6 +68,12 @@ void protocol_put_f64(uint8_t* out, double value);
 #define MESSAGE_MISSION_COUNT_SIZE 8u
 #define MESSAGE_HIL_STEP_ID 0x105u
 #define MESSAGE_HIL_STEP_SIZE 8u
+#define MESSAGE_DESCRIPTION_ID 0x106u
+#define MESSAGE_DESCRIPTION_SIZE 8u
+#define MESSAGE_DESCRIPTION_ROW_ID 0x107u
+#define MESSAGE_DESCRIPTION_ROW_SIZE 192u
+#define MESSAGE_OWN_GAIN_ID 0x108u
+#define MESSAGE_OWN_GAIN_SIZE 8u
 
 // PC to board.
 #define COMMAND_DO_NOTHING_ID 0u
@@ -214,6 +220,14 @@ void protocol_put_f64(uint8_t* out, double value);
 #define COMMAND_GO_TO_WAYPOINT_SIZE 8u
 #define COMMAND_HIL_STEPS_ON_ID 0x109u
 #define COMMAND_HIL_STEPS_ON_SIZE 0u
+#define COMMAND_DESCRIBE_ID 0x10Au
+#define COMMAND_DESCRIBE_SIZE 0u
+#define COMMAND_DESCRIBE_ITEM_ID 0x10Bu
+#define COMMAND_DESCRIBE_ITEM_SIZE 4u
+#define COMMAND_OWN_GAIN_GET_ID 0x10Cu
+#define COMMAND_OWN_GAIN_GET_SIZE 4u
+#define COMMAND_OWN_GAIN_SET_ID 0x10Du
+#define COMMAND_OWN_GAIN_SET_SIZE 8u
 
 #define MESSAGE_HEARTBEAT_BIT_AUTOPILOT_HIL 1
 #define MESSAGE_HEARTBEAT_BIT_SOURCE_JOYSTICK 2
@@ -403,11 +417,12 @@ void message_autopilot_parameters_unpack(message_autopilot_parameters_t* values,
 #define MESSAGE_CAPABILITIES_BIT_HAS_MISSIONS 8
 #define MESSAGE_CAPABILITIES_BIT_HAS_CARD_ALARM 16
 #define MESSAGE_CAPABILITIES_BIT_HAS_HIL_STEPS 32
+#define MESSAGE_CAPABILITIES_BIT_DESCRIBES_ITSELF 64
 /// Answer to the command capabilities.
 typedef struct
 {
     int32_t protocol_version; ///< Version of the extensions; 1.
-    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again. Bit 5: The times of the steps of the HIL loop can be told (hil_steps_on).
+    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again. Bit 5: The times of the steps of the HIL loop can be told (hil_steps_on). Bit 6: The board tells its own gains: their names, units and ranges (describe), and their values (own_gain_get, own_gain_set).
     char firmware_name[16]; ///< Name of the firmware, zero padded.
     char firmware_version[16]; ///< Version of the firmware, zero padded.
     int32_t uptime_ms; ///< Time since the board started. [ms]
@@ -493,6 +508,58 @@ typedef struct
 
 void message_hil_step_pack(const message_hil_step_t* values, uint8_t* payload);
 void message_hil_step_unpack(message_hil_step_t* values, const uint8_t* payload);
+
+/// What the board says about itself, in answer to describe. A station that has the rows with this checksum asks for none of them.
+typedef struct
+{
+    int32_t row_count; ///< Rows of the description, numbered from 0.
+    uint32_t table_crc32; ///< CRC-32 (IEEE 802.3) of the payloads of all description_rows in order.
+} message_description_t;
+
+void message_description_pack(const message_description_t* values, uint8_t* payload);
+void message_description_unpack(message_description_t* values, const uint8_t* payload);
+
+#define MESSAGE_DESCRIPTION_ROW_KIND_GAIN 1
+#define MESSAGE_DESCRIPTION_ROW_KIND_TOPIC 2
+#define MESSAGE_DESCRIPTION_ROW_KIND_EVENT 3
+#define MESSAGE_DESCRIPTION_ROW_KIND_COMMAND 4
+#define MESSAGE_DESCRIPTION_ROW_TYPE_F32 1
+#define MESSAGE_DESCRIPTION_ROW_TYPE_I32 2
+#define MESSAGE_DESCRIPTION_ROW_TYPE_U32 3
+#define MESSAGE_DESCRIPTION_ROW_TYPE_FLAG 4
+#define MESSAGE_DESCRIPTION_ROW_TYPE_ENUM 5
+#define MESSAGE_DESCRIPTION_ROW_NEEDS_RESTART_NO 0
+#define MESSAGE_DESCRIPTION_ROW_NEEDS_RESTART_YES 1
+/// One row of the description, in answer to describe_item. Its bytes change with the firmware alone.
+typedef struct
+{
+    int32_t row; ///< Its number, from 0.
+    int32_t kind; ///< What the row is; only gains are in use, the others are reserved.
+    int32_t type; ///< Type of its value; own_gain carries every type as f32.
+    int32_t needs_restart; ///< Whether a change takes effect only after the board's next start.
+    float minimum; ///< Smallest value, in the row's unit. + as the row says.
+    float maximum; ///< Largest value; of an enum, the number of its texts less 1. + as the row says.
+    float step; ///< Sensible change of the value by one press.
+    float default_value; ///< Value before anything was set. + as the row says.
+    char name[32]; ///< Its name in snake_case, unique among the rows, zero padded.
+    char unit[16]; ///< Its unit, zero padded; 1 for a plain number.
+    char group[16]; ///< Name in snake_case of what it belongs to, zero padded.
+    char choices[32]; ///< Texts of an enum's values in order from 0, with a bar between them, zero padded; empty for other types.
+    char help[64]; ///< What it does, in English, zero padded.
+} message_description_row_t;
+
+void message_description_row_pack(const message_description_row_t* values, uint8_t* payload);
+void message_description_row_unpack(message_description_row_t* values, const uint8_t* payload);
+
+/// The value that one of the board's own gains has, in answer to own_gain_get and own_gain_set, after a refused one too.
+typedef struct
+{
+    int32_t row; ///< The gain's row in the description.
+    float value; ///< In the row's unit; of an enum, the place of its text, from 0. + as the row says.
+} message_own_gain_t;
+
+void message_own_gain_pack(const message_own_gain_t* values, uint8_t* payload);
+void message_own_gain_unpack(message_own_gain_t* values, const uint8_t* payload);
 
 #define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_MINIMUM 20
 #define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_MAXIMUM 10000
@@ -665,5 +732,39 @@ typedef struct
 
 void command_go_to_waypoint_pack(const command_go_to_waypoint_t* values, uint8_t* payload);
 void command_go_to_waypoint_unpack(command_go_to_waypoint_t* values, const uint8_t* payload);
+
+#define COMMAND_DESCRIBE_ITEM_ROW_MINIMUM 0
+#define COMMAND_DESCRIBE_ITEM_ROW_MAXIMUM 65535
+/// Ask for one row of the description; answered by description_row. An unknown row is a bad value.
+typedef struct
+{
+    int32_t row; ///< Which row, from 0.
+} command_describe_item_t;
+
+void command_describe_item_pack(const command_describe_item_t* values, uint8_t* payload);
+void command_describe_item_unpack(command_describe_item_t* values, const uint8_t* payload);
+
+#define COMMAND_OWN_GAIN_GET_ROW_MINIMUM 0
+#define COMMAND_OWN_GAIN_GET_ROW_MAXIMUM 65535
+/// Ask for the value of one of the board's own gains; answered by own_gain. A row that is no gain is a bad value.
+typedef struct
+{
+    int32_t row; ///< The gain's row in the description.
+} command_own_gain_get_t;
+
+void command_own_gain_get_pack(const command_own_gain_get_t* values, uint8_t* payload);
+void command_own_gain_get_unpack(command_own_gain_get_t* values, const uint8_t* payload);
+
+#define COMMAND_OWN_GAIN_SET_ROW_MINIMUM 0
+#define COMMAND_OWN_GAIN_SET_ROW_MAXIMUM 65535
+/// Set one of the board's own gains; answered by own_gain with the value that the board has now, then by the acknowledgement. A value that is out of range, not finite or, in an enum, not whole is a bad value and changes nothing.
+typedef struct
+{
+    int32_t row; ///< The gain's row in the description.
+    float value; ///< In the row's unit; of an enum, the place of its text, from 0. + as the row says.
+} command_own_gain_set_t;
+
+void command_own_gain_set_pack(const command_own_gain_set_t* values, uint8_t* payload);
+void command_own_gain_set_unpack(command_own_gain_set_t* values, const uint8_t* payload);
 
 #endif

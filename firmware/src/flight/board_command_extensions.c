@@ -2,6 +2,8 @@
 
 #include "flight/board_command_context.h"
 #include "flight/board_streams.h"
+#include "flight/description.h"
+#include "flight/own_gains.h"
 
 _Static_assert(COMMAND_MISSION_BEGIN_COUNT_MAXIMUM == plan_waypoints_max, "the longest mission fits a plan");
 
@@ -23,20 +25,74 @@ command_result_t run_tell_steps(void* context, int32_t argument, const uint8_t* 
     return command_done;
 }
 
+command_result_t run_describe(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    (void)payload;
+    const board_t* const board = board_of(context);
+    report_description(&board->line, description_count(), board->table_crc32);
+    return command_done;
+}
+
+command_result_t run_describe_item(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    uint8_t row[MESSAGE_DESCRIPTION_ROW_SIZE];
+    // a negative number becomes one that no row has
+    if (!description_row((size_t)protocol_get_u32(payload), row))
+    {
+        return command_bad_value;
+    }
+    report_description_row(&board_of(context)->line, row);
+    return command_done;
+}
+
+command_result_t run_get_own_gain(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    const board_t* const board = board_of(context);
+    const size_t row = (size_t)protocol_get_u32(payload);
+    if (row >= own_gains_count())
+    {
+        return command_bad_value;
+    }
+    report_own_gain(&board->line, row, own_gains_get(&board->tuning, row));
+    return command_done;
+}
+
+command_result_t run_set_own_gain(void* context, int32_t argument, const uint8_t* payload)
+{
+    board_t* const board = board_of(context);
+    command_own_gain_set_t values;
+    command_own_gain_set_unpack(&values, payload);
+    const bool is_set = values.row >= 0 && own_gains_set(&board->tuning, (size_t)values.row, values.value);
+    // the row is first in both payloads; the value that the board has is told after a refusal too
+    const command_result_t told = run_get_own_gain(context, argument, payload);
+    return is_set ? told : command_bad_value;
+}
+
+/// Write one thing to the card; whether it is there.
+static bool store(board_t* board, board_keeps_t what)
+{
+    board_card_t* const card = &board->card;
+    const size_t taken = board_card_take(card, what, &board->tuning, &board->plans);
+    const record_state_t state = board_card_write(card, what, taken);
+    (void)board_card_note(card, what, state);
+    return state == record_whole;
+}
+
 command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;
     (void)payload;
     board_t* const board = board_of(context);
-    board_card_t* const card = &board->card;
-    if (card->storage == NULL)
+    if (board->card.storage == NULL)
     {
         return command_storage_failed;
     }
-    const size_t taken = board_card_take(card, board_keeps_parameters, &board->tuning, &board->plans);
-    const record_state_t state = board_card_write(card, board_keeps_parameters, taken);
-    (void)board_card_note(card, board_keeps_parameters, state);
-    return state == record_whole ? command_done : command_storage_failed;
+    const bool has_parameters = store(board, board_keeps_parameters);
+    const bool has_gains = store(board, board_keeps_own_gains);
+    return has_parameters && has_gains ? command_done : command_storage_failed;
 }
 
 command_result_t run_select_airspeed(void* context, int32_t argument, const uint8_t* payload)

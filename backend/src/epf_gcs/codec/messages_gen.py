@@ -216,6 +216,7 @@ _MESSAGES: Final = (
             Value('has_missions', 'boolean', 1, 'bit', 'Missions can be written and read.', minimum=0, maximum=2147483647, bit=3),
             Value('has_card_alarm', 'boolean', 1, 'bit', 'What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again.', minimum=0, maximum=2147483647, bit=4),
             Value('has_hil_steps', 'boolean', 1, 'bit', 'The times of the steps of the HIL loop can be told (hil_steps_on).', minimum=0, maximum=2147483647, bit=5),
+            Value('describes_itself', 'boolean', 1, 'bit', 'The board tells its own gains: their names, units and ranges (describe), and their values (own_gain_get, own_gain_set).', minimum=0, maximum=2147483647, bit=6),
             Value('firmware_name', 'text', 2, 'text', 'Name of the firmware, zero padded.'),
             Value('firmware_version', 'text', 3, 'text', 'Version of the firmware, zero padded.'),
             Value('uptime_ms', 'integer', 4, 'plain', 'Time since the board started.', unit='ms', minimum=0, maximum=2147483647),
@@ -272,6 +273,44 @@ _MESSAGES: Final = (
         values=(
             Value('clock_ms', 'integer', 0, 'plain', "The board's clock when it took the command 50 which hil_surfaces answered.", unit='ms', minimum=0, maximum=4294967295),
             Value('step_s', 'number', 1, 'plain', 'Time that the laws integrated; 0 for a repeat, a refused command, and a step after a pause.', unit='s', minimum=0.0, maximum=1.0),
+        ),
+    ),
+    Message(
+        id=0x106, name='description', doc='What the board says about itself, in answer to describe. A station that has the rows with this checksum asks for none of them.',
+        source='extension', extension=True, topic=False,
+        struct=Struct("<iI"),
+        values=(
+            Value('row_count', 'integer', 0, 'plain', 'Rows of the description, numbered from 0.', minimum=0, maximum=65536),
+            Value('table_crc32', 'integer', 1, 'plain', 'CRC-32 (IEEE 802.3) of the payloads of all description_rows in order.', minimum=0, maximum=4294967295),
+        ),
+    ),
+    Message(
+        id=0x107, name='description_row', doc='One row of the description, in answer to describe_item. Its bytes change with the firmware alone.',
+        source='extension', extension=True, topic=False,
+        struct=Struct("<iiiiffff32s16s16s32s64s"),
+        values=(
+            Value('row', 'integer', 0, 'plain', 'Its number, from 0.', minimum=0, maximum=65535),
+            Value('kind', 'integer', 1, 'plain', 'What the row is; only gains are in use, the others are reserved.', minimum=1, maximum=4, names=MappingProxyType({'gain': 1, 'topic': 2, 'event': 3, 'command': 4})),
+            Value('type', 'integer', 2, 'plain', 'Type of its value; own_gain carries every type as f32.', minimum=1, maximum=5, names=MappingProxyType({'f32': 1, 'i32': 2, 'u32': 3, 'flag': 4, 'enum': 5})),
+            Value('needs_restart', 'integer', 3, 'plain', "Whether a change takes effect only after the board's next start.", minimum=0, maximum=1, names=MappingProxyType({'no': 0, 'yes': 1})),
+            Value('minimum', 'number', 4, 'plain', "Smallest value, in the row's unit.", minimum=-1e+30, maximum=1e+30, sign='as the row says'),
+            Value('maximum', 'number', 5, 'plain', 'Largest value; of an enum, the number of its texts less 1.', minimum=-1e+30, maximum=1e+30, sign='as the row says'),
+            Value('step', 'number', 6, 'plain', 'Sensible change of the value by one press.', minimum=0.0, maximum=1e+30),
+            Value('default_value', 'number', 7, 'plain', 'Value before anything was set.', minimum=-1e+30, maximum=1e+30, sign='as the row says'),
+            Value('name', 'text', 8, 'text', 'Its name in snake_case, unique among the rows, zero padded.'),
+            Value('unit', 'text', 9, 'text', 'Its unit, zero padded; 1 for a plain number.'),
+            Value('group', 'text', 10, 'text', 'Name in snake_case of what it belongs to, zero padded.'),
+            Value('choices', 'text', 11, 'text', "Texts of an enum's values in order from 0, with a bar between them, zero padded; empty for other types."),
+            Value('help', 'text', 12, 'text', 'What it does, in English, zero padded.'),
+        ),
+    ),
+    Message(
+        id=0x108, name='own_gain', doc="The value that one of the board's own gains has, in answer to own_gain_get and own_gain_set, after a refused one too.",
+        source='extension', extension=True, topic=False,
+        struct=Struct("<if"),
+        values=(
+            Value('row', 'integer', 0, 'plain', "The gain's row in the description.", minimum=0, maximum=65535),
+            Value('value', 'number', 1, 'plain', "In the row's unit; of an enum, the place of its text, from 0.", minimum=-1e+30, maximum=1e+30, sign='as the row says'),
         ),
     ),
 )
@@ -838,6 +877,40 @@ _COMMANDS: Final = (
         id=0x109, name='hil_steps_on', doc='Send hil_step after each hil_surfaces, until the line is opened again.',
         source='extension', extension=True, topic=False,
         struct=Struct("<"),
+        confirm=Confirm('none'),
+    ),
+    Message(
+        id=0x10A, name='describe', doc='Ask what the board says about itself; answered by description.',
+        source='extension', extension=True, topic=False,
+        struct=Struct("<"),
+        confirm=Confirm('frame', message='description'),
+    ),
+    Message(
+        id=0x10B, name='describe_item', doc='Ask for one row of the description; answered by description_row. An unknown row is a bad value.',
+        source='extension', extension=True, topic=False,
+        struct=Struct("<i"),
+        values=(
+            Value('row', 'integer', 0, 'plain', 'Which row, from 0.', minimum=0, maximum=65535),
+        ),
+        confirm=Confirm('frame', message='description_row'),
+    ),
+    Message(
+        id=0x10C, name='own_gain_get', doc="Ask for the value of one of the board's own gains; answered by own_gain. A row that is no gain is a bad value.",
+        source='extension', extension=True, topic=False,
+        struct=Struct("<i"),
+        values=(
+            Value('row', 'integer', 0, 'plain', "The gain's row in the description.", minimum=0, maximum=65535),
+        ),
+        confirm=Confirm('frame', message='own_gain'),
+    ),
+    Message(
+        id=0x10D, name='own_gain_set', doc="Set one of the board's own gains; answered by own_gain with the value that the board has now, then by the acknowledgement. A value that is out of range, not finite or, in an enum, not whole is a bad value and changes nothing.",
+        source='extension', extension=True, topic=False,
+        struct=Struct("<if"),
+        values=(
+            Value('row', 'integer', 0, 'plain', "The gain's row in the description.", minimum=0, maximum=65535),
+            Value('value', 'number', 1, 'plain', "In the row's unit; of an enum, the place of its text, from 0.", minimum=-1e+30, maximum=1e+30, sign='as the row says'),
+        ),
         confirm=Confirm('none'),
     ),
 )

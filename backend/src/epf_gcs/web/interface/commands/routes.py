@@ -26,7 +26,7 @@ from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["commands"])
 
-# These are steps of something that has a place of its own: the link's dialogue, the HIL loop, the plans.
+# These are steps of something that has a place of its own: the link's dialogue, the HIL loop, the plans, the board's own gains.
 _INTERNAL: Final = frozenset(
     {
         "xplane_info",
@@ -37,6 +37,10 @@ _INTERNAL: Final = frozenset(
         "mission_commit",
         "mission_read",
         "hil_steps_on",
+        "describe",
+        "describe_item",
+        "own_gain_get",
+        "own_gain_set",
     }
 )
 OFFERED: Final = {name: command for name, command in COMMANDS.items() if name not in _INTERNAL}
