@@ -1,7 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { ParamsView } from "../features/parameters/ParamsView";
-import type { GainState, ParameterList } from "../protocol/guards.gen";
+import type { GainState, OwnGains, ParameterList } from "../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
@@ -13,9 +13,16 @@ export let station: Station;
 
 export type GainStates = Partial<Record<ParameterName, Partial<GainState>>>;
 
+/** A board that does not describe itself. */
+const NO_OWN_GAINS: OwnGains = {
+  table: { state: "none", rows_read: 0, row_count: 0, gains: [], left_out: [] },
+  values: {},
+};
+
 /** The gateway's list when the board has its defaults except for these. */
-export function listed(known: GainStates = {}): ParameterList {
+export function listed(known: GainStates = {}, own: OwnGains = NO_OWN_GAINS): ParameterList {
   return {
+    own,
     parameters: PARAMETERS.map(({ setId, isInteger, ...info }) => ({
       ...info,
       is_integer: isInteger,
