@@ -121,7 +121,7 @@ def test_the_board_status_comes_once_capabilities_were_asked_for(extended: Stati
 def test_the_capabilities_name_the_firmware(binary: Station) -> None:
     version, features, name, number, uptime_ms = binary.extend().values
     assert version == 1
-    assert features == 1 + 4 + 8 + 32  # no card: nothing can be stored
+    assert features == 1 + 4 + 8 + 32 + 64  # no card: nothing can be stored
     assert (name.rstrip(b"\0"), number.rstrip(b"\0")) == (b"epf-board", b"1.0.0")
     assert uptime_ms > 0
 

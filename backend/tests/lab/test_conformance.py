@@ -10,6 +10,7 @@ from contextlib import suppress
 
 import pytest
 
+from epf_gcs.lab.checks_of_description import DESCRIBED
 from epf_gcs.lab.conformance import conform
 from epf_gcs.lab.peer import Lack, LawsWire, Peer, TcpWire, wire
 
@@ -148,6 +149,48 @@ def test_a_board_of_another_make_learns_what_it_lacks(stranger: str) -> None:
 def test_the_laws_of_this_stations_board_lack_nothing_that_laws_do() -> None:
     line = LawsWire()
     assert [one for one in conform(line, is_program=False) if one.lacks is not None] == []
+    line.close()
+
+
+class Untrue(LawsWire):
+    """A board whose answers of one type have another word than they should."""
+
+    def __init__(self, kind: int, word: int) -> None:
+        super().__init__()
+        self._head = HEAD + struct.pack("<I", TOP_BIT + kind)
+        self._word = word
+
+    def receive(self, wait_s: float) -> bytes:
+        data = bytearray(super().receive(wait_s))
+        at = data.find(self._head)
+        while at >= 0:
+            first = at + len(HEAD)
+            (word,) = struct.unpack_from("<I", data, first + 4 * self._word)
+            struct.pack_into("<I", data, first + 4 * self._word, word ^ 0x20)
+            end = data.index(END, first) - 4
+            total = sum(struct.unpack_from(f"<{(end - first) // 4}I", data, first))
+            struct.pack_into("<I", data, end, -total % 2**32)
+            at = data.find(self._head, end)
+        return bytes(data)
+
+
+@pytest.mark.parametrize(
+    ("check", "kind", "word", "said"),
+    [
+        pytest.param(0, 0x106, 2, "the CRC-32 in the description", id="another checksum"),
+        pytest.param(0, 0x107, 1, "the number in row 0: must be 0, is 32", id="another row"),
+        pytest.param(0, 0x107, 9, "a name is in snake_case", id="a name that is none"),
+        pytest.param(1, 0x108, 1, "the row in own_gain: must be 0, is 32", id="the value of another gain"),
+        pytest.param(1, 0x108, 2, "the value of row 0 after it was set", id="another value"),
+    ],
+)
+def test_a_board_that_describes_itself_wrongly_is_told_how(check: int, kind: int, word: int, said: str) -> None:
+    line = Untrue(kind, word)
+    peer = Peer(line, 0.5)
+    peer.open()
+    peer.command("capabilities")
+    with pytest.raises(Lack, match=said):
+        DESCRIBED[check][1](peer)
     line.close()
 
 

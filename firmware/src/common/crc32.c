@@ -2,7 +2,12 @@
 
 uint32_t crc32_of(const uint8_t* bytes, size_t size)
 {
-    uint32_t crc = 0xFFFFFFFFU;
+    return crc32_with(0U, bytes, size);
+}
+
+uint32_t crc32_with(uint32_t before, const uint8_t* bytes, size_t size)
+{
+    uint32_t crc = ~before;
     for (size_t i = 0; i < size; i++)
     {
         crc ^= bytes[i];

@@ -8,4 +8,7 @@
 /// CRC of `size` bytes. The CRC of the nine characters "123456789" is 0xCBF43926.
 uint32_t crc32_of(const uint8_t* bytes, size_t size);
 
+/// CRC of what has the CRC `before` (0: of nothing), with `size` bytes after it.
+uint32_t crc32_with(uint32_t before, const uint8_t* bytes, size_t size);
+
 #endif

@@ -5,6 +5,7 @@
 #include "flight/board_command_context.h"
 #include "flight/board_commands.h"
 #include "flight/board_streams.h"
+#include "flight/description.h"
 
 static const uint32_t status_period_ms = 1000;
 static const uint32_t first_extension = 0x100; ///< deployed boards know no command from here on
@@ -26,6 +27,7 @@ void board_init(board_t* board, const board_config_t* config)
 {
     memset(board, 0, sizeof *board);
     board->is_legacy = config->legacy;
+    board->description_crc32 = description_crc32();
     board->line = (report_line_t){.send = config->send, .context = config->send_context};
     telemetry_init(&board->schedule);
     tuning_init(&board->tuning);

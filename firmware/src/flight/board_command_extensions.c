@@ -2,6 +2,8 @@
 
 #include "flight/board_command_context.h"
 #include "flight/board_streams.h"
+#include "flight/description.h"
+#include "flight/own_gains.h"
 
 _Static_assert(COMMAND_MISSION_BEGIN_COUNT_MAXIMUM == plan_waypoints_max, "the longest mission fits a plan");
 
@@ -21,6 +23,52 @@ command_result_t run_tell_steps(void* context, int32_t argument, const uint8_t* 
     (void)payload;
     board_of(context)->station.wants_steps = true;
     return command_done;
+}
+
+command_result_t run_describe(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    (void)payload;
+    const board_t* const board = board_of(context);
+    report_description(&board->line, description_count(), board->description_crc32);
+    return command_done;
+}
+
+command_result_t run_describe_item(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    uint8_t row[MESSAGE_DESCRIPTION_ROW_SIZE];
+    // a negative number becomes one that no row has
+    if (!description_row((size_t)protocol_get_u32(payload), row))
+    {
+        return command_bad_value;
+    }
+    report_description_row(&board_of(context)->line, row);
+    return command_done;
+}
+
+command_result_t run_get_own_gain(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    const board_t* const board = board_of(context);
+    const size_t row = (size_t)protocol_get_u32(payload);
+    if (row >= own_gains_count())
+    {
+        return command_bad_value;
+    }
+    report_own_gain(&board->line, row, own_gains_get(&board->tuning, row));
+    return command_done;
+}
+
+command_result_t run_set_own_gain(void* context, int32_t argument, const uint8_t* payload)
+{
+    board_t* const board = board_of(context);
+    command_own_gain_set_t values;
+    command_own_gain_set_unpack(&values, payload);
+    const bool is_set = values.row >= 0 && own_gains_set(&board->tuning, (size_t)values.row, values.value);
+    // the row is first in both payloads; the value that the board has is told after a refusal too
+    const command_result_t told = run_get_own_gain(context, argument, payload);
+    return is_set ? told : command_bad_value;
 }
 
 command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload)

@@ -87,6 +87,10 @@ const command_t board_commands[] = {
     ROW(MISSION_READ, run_read_mission),
     ROW(GO_TO_WAYPOINT, run_go_to_waypoint),
     ROW(HIL_STEPS_ON, run_tell_steps),
+    ROW(DESCRIBE, run_describe),
+    ROW(DESCRIBE_ITEM, run_describe_item),
+    ROW(OWN_GAIN_GET, run_get_own_gain),
+    ROW(OWN_GAIN_SET, run_set_own_gain),
 };
 
 const size_t board_commands_count = sizeof board_commands / sizeof board_commands[0];

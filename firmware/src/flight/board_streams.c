@@ -90,7 +90,8 @@ void board_send_capabilities(const board_t* board, uint32_t now_ms)
     message_capabilities_t values = {
         .protocol_version = 1,
         .features = MESSAGE_CAPABILITIES_BIT_HAS_ACKNOWLEDGEMENTS | MESSAGE_CAPABILITIES_BIT_HAS_SOURCES |
-                    MESSAGE_CAPABILITIES_BIT_HAS_MISSIONS | MESSAGE_CAPABILITIES_BIT_HAS_HIL_STEPS,
+                    MESSAGE_CAPABILITIES_BIT_HAS_MISSIONS | MESSAGE_CAPABILITIES_BIT_HAS_HIL_STEPS |
+                    MESSAGE_CAPABILITIES_BIT_DESCRIBES_ITSELF,
         .firmware_name = BOARD_FIRMWARE_NAME,
         .firmware_version = BOARD_FIRMWARE_VERSION,
         .uptime_ms = (int32_t)uptime_ms,

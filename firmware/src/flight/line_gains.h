@@ -20,6 +20,8 @@ typedef struct
 {
     const char* name;
     const char* unit;
+    const char* group;
+    const char* help; ///< what it does
     float default_value;
     float minimum;
     float maximum;

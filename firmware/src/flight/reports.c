@@ -38,6 +38,8 @@ REPORT_HERE(send_acknowledgement, message_acknowledgement, MESSAGE_ACKNOWLEDGEME
 REPORT_HERE(send_mission_count, message_mission_count, MESSAGE_MISSION_COUNT)
 REPORT_HERE(send_hil_step, message_hil_step, MESSAGE_HIL_STEP)
 REPORT_HERE(send_mission_item, message_mission_item, MESSAGE_MISSION_ITEM)
+REPORT_HERE(send_description, message_description, MESSAGE_DESCRIPTION)
+REPORT_HERE(send_own_gain, message_own_gain, MESSAGE_OWN_GAIN)
 
 /// What a plan asks for. Zeros would read as a course to the north at sea level, so unknown values are sent as absent:
 /// all of them without a plan, the way to the waypoint without a position.
@@ -100,6 +102,23 @@ void report_hil_step(const report_line_t* line, uint32_t clock_ms, float step_s)
 {
     const message_hil_step_t values = {.clock_ms = clock_ms, .step_s = step_s};
     send_hil_step(line, &values);
+}
+
+void report_description(const report_line_t* line, size_t count, uint32_t crc32)
+{
+    const message_description_t values = {.row_count = (int32_t)count, .table_crc32 = crc32};
+    send_description(line, &values);
+}
+
+void report_description_row(const report_line_t* line, const uint8_t payload[MESSAGE_DESCRIPTION_ROW_SIZE])
+{
+    send(line, MESSAGE_DESCRIPTION_ROW_ID, payload, MESSAGE_DESCRIPTION_ROW_SIZE);
+}
+
+void report_own_gain(const report_line_t* line, size_t row, float value)
+{
+    const message_own_gain_t values = {.row = (int32_t)row, .value = value};
+    send_own_gain(line, &values);
 }
 
 void report_parameters(const report_line_t* line, const parameters_t* parameters)

@@ -40,6 +40,12 @@ void report_fly_by_wire(const report_line_t* line, const surfaces_t* surfaces);
 void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces);
 /// When, and by how much, the HIL loop was stepped for the surfaces that were sent just now.
 void report_hil_step(const report_line_t* line, uint32_t clock_ms, float step_s);
+/// How many rows the board's description has, and the CRC-32 over them.
+void report_description(const report_line_t* line, size_t count, uint32_t crc32);
+/// A row of it, whose payload is made already.
+void report_description_row(const report_line_t* line, const uint8_t payload[MESSAGE_DESCRIPTION_ROW_SIZE]);
+/// The value of an own gain, by its row.
+void report_own_gain(const report_line_t* line, size_t row, float value);
 void report_parameters(const report_line_t* line, const parameters_t* parameters);
 void report_capabilities(const report_line_t* line, const message_capabilities_t* values);
 void report_acknowledgement(const report_line_t* line, uint32_t type_id, command_result_t result);

@@ -26,11 +26,22 @@ static void any_single_flipped_bit_changes_it(void** state)
     }
 }
 
+static void bytes_that_come_in_parts_have_the_crc_of_the_whole(void** state)
+{
+    (void)state;
+    const uint8_t* const digits = (const uint8_t*)"123456789";
+    for (size_t cut = 0; cut <= 9; cut++)
+    {
+        assert_int_equal(crc32_with(crc32_of(digits, cut), digits + cut, 9 - cut), 0xCBF43926U);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_published_check_value_comes_out),
         cmocka_unit_test(any_single_flipped_bit_changes_it),
+        cmocka_unit_test(bytes_that_come_in_parts_have_the_crc_of_the_whole),
     };
     return cmocka_run_group_tests_name("common.crc32", tests, NULL, NULL);
 }

@@ -8,11 +8,14 @@
 /// Every message and command with a payload that has fields: X(name, NAME).
 #define EACH_PAYLOAD                                                                                                   \
     X(command_control_source, COMMAND_CONTROL_SOURCE)                                                                  \
+    X(command_describe_item, COMMAND_DESCRIBE_ITEM)                                                                    \
     X(command_go_to_waypoint, COMMAND_GO_TO_WAYPOINT)                                                                  \
     X(command_mission_begin, COMMAND_MISSION_BEGIN)                                                                    \
     X(command_mission_commit, COMMAND_MISSION_COMMIT)                                                                  \
     X(command_mission_item, COMMAND_MISSION_ITEM)                                                                      \
     X(command_mission_read, COMMAND_MISSION_READ)                                                                      \
+    X(command_own_gain_get, COMMAND_OWN_GAIN_GET)                                                                      \
+    X(command_own_gain_set, COMMAND_OWN_GAIN_SET)                                                                      \
     X(command_select_airspeed_source, COMMAND_SELECT_AIRSPEED_SOURCE)                                                  \
     X(command_select_altitude_source, COMMAND_SELECT_ALTITUDE_SOURCE)                                                  \
     X(command_servo_out, COMMAND_SERVO_OUT)                                                                            \
@@ -26,15 +29,19 @@
     X(message_autopilot_parameters, MESSAGE_AUTOPILOT_PARAMETERS)                                                      \
     X(message_board_status, MESSAGE_BOARD_STATUS)                                                                      \
     X(message_capabilities, MESSAGE_CAPABILITIES)                                                                      \
+    X(message_description, MESSAGE_DESCRIPTION)                                                                        \
+    X(message_description_row, MESSAGE_DESCRIPTION_ROW)                                                                \
     X(message_fly_by_wire, MESSAGE_FLY_BY_WIRE)                                                                        \
     X(message_fms_hil_plan, MESSAGE_FMS_HIL_PLAN)                                                                      \
     X(message_fms_plan, MESSAGE_FMS_PLAN)                                                                              \
     X(message_gps, MESSAGE_GPS)                                                                                        \
     X(message_heartbeat, MESSAGE_HEARTBEAT)                                                                            \
+    X(message_hil_step, MESSAGE_HIL_STEP)                                                                              \
     X(message_hil_surfaces, MESSAGE_HIL_SURFACES)                                                                      \
     X(message_inertial, MESSAGE_INERTIAL)                                                                              \
     X(message_mission_count, MESSAGE_MISSION_COUNT)                                                                    \
     X(message_mission_item, MESSAGE_MISSION_ITEM)                                                                      \
+    X(message_own_gain, MESSAGE_OWN_GAIN)                                                                              \
     X(message_servos_in, MESSAGE_SERVOS_IN)                                                                            \
     X(message_statistics, MESSAGE_STATISTICS)
 
@@ -110,7 +117,7 @@ static void every_message_from_the_board_has_its_size_and_no_other_has_one(void*
         known += size >= 0 ? 1U : 0U;
         assert_true(size == unknown || (size >= 0 && size <= (int32_t)PROTOCOL_TELEMETRY_SIZE_MAX && size % 4 == 0));
     }
-    assert_int_equal(known, 18);
+    assert_int_equal(known, 21);
     assert_int_equal(protocol_telemetry_size(MESSAGE_MISSION_ITEM_ID), MESSAGE_MISSION_ITEM_SIZE);
     assert_int_equal(protocol_telemetry_size(UINT32_MAX), unknown);
 }

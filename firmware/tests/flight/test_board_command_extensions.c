@@ -39,7 +39,7 @@ static void the_board_says_who_it_is_and_what_it_can_do(void** state)
     message_capabilities_t values;
     message_capabilities_unpack(&values, line_newest(&rig->out, MESSAGE_CAPABILITIES_ID)->payload);
     assert_int_equal(values.protocol_version, 1);
-    assert_int_equal(values.features, 47);
+    assert_int_equal(values.features, 111);
     assert_string_equal(values.firmware_name, BOARD_FIRMWARE_NAME);
     assert_string_equal(values.firmware_version, BOARD_FIRMWARE_VERSION);
     assert_int_equal(values.uptime_ms, 123456);

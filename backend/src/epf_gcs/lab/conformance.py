@@ -8,6 +8,7 @@ from typing import Final
 
 from epf_gcs.lab.checks import ORIGINAL, PROGRAM
 from epf_gcs.lab.checks_of_damage import DAMAGE
+from epf_gcs.lab.checks_of_description import DESCRIBED
 from epf_gcs.lab.checks_of_extensions import EXTENDED
 from epf_gcs.lab.peer import LEVEL, Check, Lack, Peer, Wire, must_be
 
@@ -35,7 +36,7 @@ def conform(line: Wire, patience_s: float = 2.0, *, is_program: bool = True) -> 
         yield _outcome(peer, "without extensions it goes on as before it was asked for them", _goes_on)
     yield extended
     if extended.lacks is None:
-        for name, check in EXTENDED:
+        for name, check in (*EXTENDED, *(DESCRIBED if _describes_itself(peer) else ())):
             yield _outcome(peer, f"extensions: {name}", check)
 
 
@@ -75,4 +76,10 @@ def _capabilities(peer: Peer) -> None:
     must_be(version, 1, "the version of the extensions")
 
 
+def _describes_itself(peer: Peer) -> bool:
+    """By the capabilities that came last."""
+    return bool(int(peer.awaited("capabilities", "in answer to command 0x100").values[1]) & _DESCRIBES)
+
+
+_DESCRIBES: Final = 64
 _UNASKED: Final[tuple[str, Check]] = ("no extension is sent unasked", _nothing_unasked)

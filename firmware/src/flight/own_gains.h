@@ -1,0 +1,36 @@
+/// The gains that this board has beside the 17 parameters of the wire: the choice of the law, and the line law's. They
+/// are numbered from 0; the numbers belong to this firmware, the names to all.
+#ifndef FLIGHT_OWN_GAINS_H
+#define FLIGHT_OWN_GAINS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "flight/tuning.h"
+
+typedef struct
+{
+    const char* name;
+    const char* unit; ///< "1" for a plain number
+    const char* group;
+    const char* choices; ///< texts of the values 0, 1, ... with a bar between them; empty for a number
+    const char* help;
+    float minimum;
+    float maximum;
+    float step;
+    float default_value;
+} own_gain_t;
+
+size_t own_gains_count(void);
+
+/// What gain `index` is. False, and nothing changed, where there is none.
+bool own_gains_describe(size_t index, own_gain_t* gain);
+
+/// The value of gain `index`; 0 where there is none.
+float own_gains_get(const tuning_t* tuning, size_t index);
+
+/// Set gain `index`. False, and nothing changed, where there is none, outside of its range, or for a choice that is not
+/// whole.
+bool own_gains_set(tuning_t* tuning, size_t index, float value);
+
+#endif
