@@ -78,22 +78,22 @@ export async function openPage(): Promise<void> {
 }
 
 /** Answers the questions of an opening. */
-export async function answer(known: GainStates): Promise<void> {
-  await newest("GET", /parameters$/).answer(listed(known));
+export async function answer(known: GainStates, own?: OwnGains): Promise<void> {
+  await newest("GET", /parameters$/).answer(listed(known, own));
   await newest("GET", /journal$/).answer({ entries: [], undo: null, redo: null });
 }
 
-export function field(name: ParameterName): HTMLInputElement {
+export function field(name: string): HTMLInputElement {
   return within(row(name)).getByRole("textbox", { name });
 }
 
-export function row(name: ParameterName): HTMLElement {
+export function row(name: string): HTMLElement {
   const found = document.querySelector<HTMLElement>(`[data-parameter="${name}"]`);
   if (found === null) throw new Error(`there is no row for ${name}`);
   return found;
 }
 
-export async function type(name: ParameterName, text: string): Promise<void> {
+export async function type(name: string, text: string): Promise<void> {
   await user.clear(field(name));
   await user.type(field(name), text);
 }

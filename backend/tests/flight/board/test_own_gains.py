@@ -149,7 +149,14 @@ async def test_a_write_is_confirmed_by_what_is_read_back_and_can_be_undone(tmp_p
         assert values(station) == {"guidance_law": 0.0, "line_k_bank": 3.0, "line_approach": 3.0}
         await parameters.redo("c1")
         assert board.own_gains[0] == 1.0
-        assert parameters.take_unstored() == ("guidance_law", "line_k_bank")
+
+
+async def test_what_was_written_and_not_stored_is_lost_by_a_restart(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.set({"k_roll": 3.0, "line_k_bank": 4.0}, None)
+        await station.parameters.store(None)
+        await station.parameters.set({"guidance_law": 1}, None)
+        assert station.parameters.take_unstored() == ("guidance_law",)
 
 
 async def test_own_and_built_in_gains_of_one_request_are_a_step_each(tmp_path: Path, board: FakeBoard) -> None:
