@@ -13,6 +13,7 @@ import pytest
 from board_tests.line.conftest import Boards
 from board_tests.line.station import Board, Station
 from board_tests.line.test_missions import FLIGHT, HIL, SQUARE, read, upload
+from board_tests.line.test_own_gains import LAW, LINE, value_of
 from board_tests.line.test_parameters import DEFAULTS, loaded
 
 DONE, STORAGE_FAILED = 0, 4
@@ -57,13 +58,15 @@ def damage(card: Path, where: bytes) -> None:
     (card / "card.img").write_bytes(image)
 
 
-def test_plans_and_parameters_outlive_a_power_cut(start: Callable[[], Station]) -> None:
+def test_plans_parameters_and_own_gains_outlive_a_power_cut(start: Callable[[], Station]) -> None:
     station = start()
     assert upload(station, FLIGHT, SQUARE) == DONE
     assert upload(station, HIL, SQUARE[::-1]) == DONE
     assert station.ask("set_k_pitch", 2.5) == DONE
+    assert station.ask("own_gain_set", LAW, LINE) == DONE
     assert station.ask("store_parameters") == DONE  # behind the plans, so they are there too
     station = start()
+    assert value_of(station, LAW) == LINE
     assert read(station, FLIGHT) == list(SQUARE)
     assert read(station, HIL) == list(SQUARE[::-1])
     assert loaded(station) == DEFAULTS | {"k_pitch": 2.5}
@@ -87,7 +90,7 @@ def test_rubbish_for_a_card_gives_the_defaults_and_the_board_says_so(start: Call
     assert loaded(station) == DEFAULTS
     assert read(station, HIL) == []
     station.command("reset")
-    alarm = "card: parameters unreadable, flight plan unreadable, hil plan unreadable"
+    alarm = "card: parameters unreadable, own gains unreadable, flight plan unreadable, hil plan unreadable"
     station.wait(lambda: f"\rALARM: {alarm}; defaults are used\n" in station.text)
     assert station.table("status")["card alarm"] == alarm.removeprefix("card: ")
     assert (card / "card.img").read_bytes() == rubbish  # nothing is written by looking

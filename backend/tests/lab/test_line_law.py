@@ -50,13 +50,13 @@ def test_changing_law_plan_waypoint_and_bank_limit_in_flight_moves_no_surface_by
             match dice.randrange(4):
                 case 0:
                     law = "line" if law == "bearing" else "bearing"
-                    loop.firmware.select(law)
+                    loop.own_gains.select(law)
                 case 1:
                     loop.command(f"hil_load_{dice.choice(('gando', 'alternativa', 'vuelo'))}")
                 case 2:
                     loop.command("go_to_waypoint", 1, dice.randrange(8))
                 case _:
-                    loop.firmware.set_line_gain("line_bank_limit", dice.uniform(20.0, 45.0))
+                    loop.own_gains.set("line_bank_limit", dice.uniform(20.0, 45.0))
             loop.fly(0.02)
             after = loop.surfaces
             assert before is not None

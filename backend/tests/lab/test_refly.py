@@ -85,3 +85,10 @@ def test_a_flight_at_another_rate_in_turbulence_over_a_bad_link_is_equal_to_the_
     found = refly(Places(tmp_path).recording(record(flight, tmp_path).id))
     assert found.frames > 300
     assert found.first is None, "\n".join(found.lines())
+
+
+def test_a_flight_by_the_line_law_and_its_gains_is_equal_to_the_byte(tmp_path: Path) -> None:
+    flight = fly_wanted([Waypoint(27.9360, -15.3840, 1000.0, 55.0)], {"law": "line"}, {"line_k_bank": 1.0})
+    found = refly(Places(tmp_path).recording(record(flight, tmp_path).id))
+    assert found.frames > 300
+    assert found.first is None, "\n".join(found.lines())

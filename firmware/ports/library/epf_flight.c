@@ -52,23 +52,6 @@ void epf_flight_free(flight_t* flight)
     free(flight);
 }
 
-bool epf_flight_select_law(flight_t* flight, int32_t law)
-{
-    return tuning_select_law(&flight->board.tuning, law);
-}
-
-bool epf_flight_set_line_gain(flight_t* flight, const char* name, float value)
-{
-    for (size_t i = 0; i < line_gains_count; i++)
-    {
-        if (strcmp(line_gain_definitions[i].name, name) == 0)
-        {
-            return tuning_set_line(&flight->board.tuning, i, value);
-        }
-    }
-    return false;
-}
-
 void epf_flight_advance(flight_t* flight, uint32_t elapsed_ms)
 {
     flight->now_ms += elapsed_ms;

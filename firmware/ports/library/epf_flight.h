@@ -41,13 +41,6 @@ flight_t* epf_flight_new(float hil_period_s);
 
 void epf_flight_free(flight_t* flight);
 
-/// Select how plans are flown: 0 towards the next waypoint, as deployed boards do, 1 along the line to it. False for
-/// another number.
-bool epf_flight_select_law(flight_t* flight, int32_t law);
-
-/// Set a gain of the line law by its name, as `line_bank_limit`. False for an unknown name or a value out of its range.
-bool epf_flight_set_line_gain(flight_t* flight, const char* name, float value);
-
 /// Feed `size` bytes of the line, in chunks of any size, and return what the board sends, up to `capacity` bytes;
 /// the rest comes with the next call (`size` may be 0). Returns the bytes written to `out`.
 size_t epf_flight_feed(flight_t* flight, const uint8_t* in, size_t size, uint8_t* out, size_t capacity);

@@ -1,6 +1,7 @@
 #include "app/application_card.h"
 
 #include "flight/board_streams.h"
+#include "flight/own_gains.h"
 
 enum
 {
@@ -38,7 +39,7 @@ static void note_card(application_t* app, board_keeps_t what, record_state_t sta
 }
 
 /// Writing to a card takes long, and the other tasks must not wait for it: the board is locked only while copying.
-bool application_store(application_t* app, board_keeps_t what)
+static bool store(application_t* app, board_keeps_t what)
 {
     bool done = false;
     application_take_card(app);
@@ -55,6 +56,14 @@ bool application_store(application_t* app, board_keeps_t what)
     return done;
 }
 
+bool application_store_tuning(application_t* app)
+{
+    const bool has_parameters = store(app, board_keeps_parameters);
+    // a deployed board has no gains of its own
+    const bool has_gains = app->hardware.legacy || store(app, board_keeps_own_gains);
+    return has_parameters && has_gains;
+}
+
 static board_keeps_t next_plan(application_t* app)
 {
     application_lock(app);
@@ -68,26 +77,38 @@ void application_store_plans(application_t* app)
     for (board_keeps_t next = next_plan(app); next != board_keeps_count; next = next_plan(app))
     {
         // A failure raises the card's alarm.
-        (void)application_store(app, next);
+        (void)store(app, next);
     }
 }
 
 bool application_load(application_t* app)
 {
     parameters_t parameters;
+    tuning_t others;
     record_state_t state = record_absent;
+    record_state_t gains = record_absent;
+    tuning_init(&others);
     application_take_card(app);
     if (app->hardware.storage != NULL)
     {
         state = board_card_read_parameters(&app->board.card, &parameters);
         note_card(app, board_keeps_parameters, state);
     }
+    if (app->hardware.storage != NULL && !app->hardware.legacy)
+    {
+        gains = board_card_read_own_gains(&app->board.card, &others);
+        note_card(app, board_keeps_own_gains, gains);
+    }
     application_give_card(app);
+    application_lock(app);
     if (state == record_whole)
     {
-        application_lock(app);
         tuning_replace(&app->board.tuning, &parameters);
-        application_unlock(app);
     }
+    if (gains == record_whole)
+    {
+        own_gains_copy(&app->board.tuning, &others);
+    }
+    application_unlock(app);
     return state == record_whole;
 }

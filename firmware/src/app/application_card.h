@@ -10,8 +10,9 @@
 void application_take_card(application_t* app);
 void application_give_card(application_t* app);
 
-/// Store one thing on the card, or load the parameters from it. The calling task waits for the card. True on success.
-bool application_store(application_t* app, board_keeps_t what);
+/// Store parameters and own gains on the card, or load them from it. The calling task waits for the card. True on
+/// success.
+bool application_store_tuning(application_t* app);
 bool application_load(application_t* app);
 
 /// Store every uploaded plan that is not on the card yet.

@@ -101,6 +101,7 @@ static void add_card_alarms(text_t* reply, const board_card_t* card)
 {
     static const char* const names[board_keeps_count] = {
         [board_keeps_parameters] = "parameters",
+        [board_keeps_own_gains] = "own gains",
         [board_keeps_flight_plan] = "flight plan",
         [board_keeps_hil_plan] = "hil plan",
     };

@@ -94,7 +94,7 @@ static void do_request(application_t* app, shell_request_t request)
         shell_tell_loaded(&app->tty.reply, application_load(app));
         break;
     case shell_asks_store:
-        shell_tell_stored(&app->tty.reply, application_store(app, board_keeps_parameters));
+        shell_tell_stored(&app->tty.reply, application_store_tuning(app));
         break;
     case shell_asks_store_acknowledged:
         application_lock(app);
@@ -206,7 +206,7 @@ void run_card(void* context)
         application_store_plans(app);
         while (take_store(app))
         {
-            const bool done = application_store(app, board_keeps_parameters);
+            const bool done = application_store_tuning(app);
             application_lock(app);
             if (app->board.station.is_extended && app->tty.mode == tty_binary)
             {

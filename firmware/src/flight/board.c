@@ -39,6 +39,10 @@ void board_init(board_t* board, const board_config_t* config)
     if (config->storage != NULL)
     {
         board_card_load_parameters(&board->card, config->card_is_silent, &board->tuning);
+        if (!config->legacy)
+        {
+            board_card_load_own_gains(&board->card, config->card_is_silent, &board->tuning);
+        }
         if (!config->legacy && !config->may_be_in_flight)
         {
             board_card_load_plans(&board->card, config->card_is_silent, &board->plans);

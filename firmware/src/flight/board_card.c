@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "flight/own_gains.h"
+#include "records/gain_record.h"
 #include "records/parameter_record.h"
 
 static const board_keeps_t kept_plans[board_plan_count] = {
@@ -14,7 +16,7 @@ static const plan_record_of_t plan_records[board_plan_count] = {
     [board_plan_hil] = plan_record_hil,
 };
 
-/// Which plan it is; not for the parameters.
+/// Which plan it is; not for parameters and gains.
 static size_t plan_of(board_keeps_t what)
 {
     return what == board_keeps_flight_plan ? (size_t)board_plan_flight : (size_t)board_plan_hil;
@@ -31,6 +33,11 @@ void board_card_load_parameters(board_card_t* card, bool is_silent, tuning_t* tu
     parameters_t parameters = tuning->parameters;
     card->kept[board_keeps_parameters] = is_silent ? record_unreadable : board_card_read_parameters(card, &parameters);
     tuning_replace(tuning, &parameters);
+}
+
+void board_card_load_own_gains(board_card_t* card, bool is_silent, tuning_t* tuning)
+{
+    card->kept[board_keeps_own_gains] = is_silent ? record_unreadable : board_card_read_own_gains(card, tuning);
 }
 
 static record_state_t load_plan(board_card_t* card, size_t plan, board_plans_t* plans)
@@ -51,11 +58,46 @@ record_state_t board_card_read_parameters(board_card_t* card, parameters_t* para
     return parameter_record_load(card->storage, parameters, card->room, sizeof card->room);
 }
 
+record_state_t board_card_read_own_gains(board_card_t* card, tuning_t* tuning)
+{
+    size_t count = 0U;
+    const record_state_t state = gain_record_load(card->storage, card->room, sizeof card->room, &count);
+    tuning_t read = *tuning;
+    own_gain_t gain;
+    for (size_t i = 0U; state == record_whole && own_gains_describe(i, &gain); i++)
+    {
+        float value = gain.default_value;
+        (void)gain_record_find(card->room, count, gain.name, &value);
+        if (!own_gains_set(&read, i, value))
+        {
+            return record_damaged;
+        }
+    }
+    *tuning = read;
+    return state;
+}
+
+/// Put all own gains into the room; how many bytes they are.
+static size_t take_own_gains(board_card_t* card, const tuning_t* tuning)
+{
+    size_t taken = 0U;
+    own_gain_t gain;
+    for (size_t i = 0U; own_gains_describe(i, &gain); i++)
+    {
+        taken = gain_record_put(card->room, i, gain.name, own_gains_get(tuning, i));
+    }
+    return taken;
+}
+
 size_t board_card_take(board_card_t* card, board_keeps_t what, const tuning_t* tuning, board_plans_t* plans)
 {
     if (what == board_keeps_parameters)
     {
         return parameter_record_take(&tuning->parameters, card->room);
+    }
+    if (what == board_keeps_own_gains)
+    {
+        return take_own_gains(card, tuning);
     }
     plans->is_to_store[plan_of(what)] = false;
     return plan_record_take(&plans->plan[plan_of(what)], card->room);
@@ -66,6 +108,10 @@ record_state_t board_card_write(board_card_t* card, board_keeps_t what, size_t t
     if (what == board_keeps_parameters)
     {
         return parameter_record_save(card->storage, card->room, sizeof card->room, taken);
+    }
+    if (what == board_keeps_own_gains)
+    {
+        return gain_record_save(card->storage, card->room, sizeof card->room, taken);
     }
     return plan_record_save(card->storage, plan_records[plan_of(what)], card->room, sizeof card->room, taken);
 }

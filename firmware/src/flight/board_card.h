@@ -17,6 +17,7 @@
 typedef enum
 {
     board_keeps_parameters,
+    board_keeps_own_gains,
     board_keeps_flight_plan,
     board_keeps_hil_plan,
     board_keeps_count
@@ -35,10 +36,12 @@ void board_card_init(board_card_t* card, const storage_t* storage);
 /// Load what the card holds complete; anything else stays as it is. `is_silent`: the card did not answer just now, so
 /// it is not asked again, and counts as unreadable until a store succeeds.
 void board_card_load_parameters(board_card_t* card, bool is_silent, tuning_t* tuning);
+void board_card_load_own_gains(board_card_t* card, bool is_silent, tuning_t* tuning);
 void board_card_load_plans(board_card_t* card, bool is_silent, board_plans_t* plans);
 
-/// Only read the parameters; the board does not fly by them yet. Needs the card, not the board.
+/// Only read the parameters, or the own gains; the board does not fly by them yet. Needs the card, not the board.
 record_state_t board_card_read_parameters(board_card_t* card, parameters_t* parameters);
+record_state_t board_card_read_own_gains(board_card_t* card, tuning_t* tuning);
 
 /// Copy what is to be kept; returns how many bytes that is. A plan counts as stored from here on.
 size_t board_card_take(board_card_t* card, board_keeps_t what, const tuning_t* tuning, board_plans_t* plans);

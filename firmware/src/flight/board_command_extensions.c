@@ -71,20 +71,28 @@ command_result_t run_set_own_gain(void* context, int32_t argument, const uint8_t
     return is_set ? told : command_bad_value;
 }
 
+/// Write one thing to the card; whether it is there.
+static bool store(board_t* board, board_keeps_t what)
+{
+    board_card_t* const card = &board->card;
+    const size_t taken = board_card_take(card, what, &board->tuning, &board->plans);
+    const record_state_t state = board_card_write(card, what, taken);
+    (void)board_card_note(card, what, state);
+    return state == record_whole;
+}
+
 command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;
     (void)payload;
     board_t* const board = board_of(context);
-    board_card_t* const card = &board->card;
-    if (card->storage == NULL)
+    if (board->card.storage == NULL)
     {
         return command_storage_failed;
     }
-    const size_t taken = board_card_take(card, board_keeps_parameters, &board->tuning, &board->plans);
-    const record_state_t state = board_card_write(card, board_keeps_parameters, taken);
-    (void)board_card_note(card, board_keeps_parameters, state);
-    return state == record_whole ? command_done : command_storage_failed;
+    const bool has_parameters = store(board, board_keeps_parameters);
+    const bool has_gains = store(board, board_keeps_own_gains);
+    return has_parameters && has_gains ? command_done : command_storage_failed;
 }
 
 command_result_t run_select_airspeed(void* context, int32_t argument, const uint8_t* payload)

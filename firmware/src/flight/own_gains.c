@@ -58,6 +58,12 @@ float own_gains_get(const tuning_t* tuning, size_t index)
     return line_gains_get(&tuning->gains.line, index - (size_t)first_line_index);
 }
 
+void own_gains_copy(tuning_t* tuning, const tuning_t* other)
+{
+    tuning->gains.law = other->gains.law;
+    tuning->gains.line = other->gains.line;
+}
+
 bool own_gains_set(tuning_t* tuning, size_t index, float value)
 {
     if (index != (size_t)law_index)

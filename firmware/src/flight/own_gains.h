@@ -29,6 +29,9 @@ bool own_gains_describe(size_t index, own_gain_t* gain);
 /// The value of gain `index`; 0 where there is none.
 float own_gains_get(const tuning_t* tuning, size_t index);
 
+/// Give `tuning` every own gain of another.
+void own_gains_copy(tuning_t* tuning, const tuning_t* other);
+
 /// Set gain `index`. False, and nothing changed, where there is none, outside of its range, or for a choice that is not
 /// whole.
 bool own_gains_set(tuning_t* tuning, size_t index, float value);

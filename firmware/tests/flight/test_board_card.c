@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "flight/board_card.h"
+#include "records/gain_record.h"
 #include "support/rig.h"
 
 static bool has_plan(const rig_t* rig, size_t plan, int32_t count, uint32_t seed)
@@ -106,15 +107,56 @@ static void a_board_that_restarted_by_itself_has_its_parameters_and_flies_no_pla
     assert_true(has_plan(rig, board_plan_flight, 3, 1));
 }
 
+static void the_law_and_its_gains_outlive_a_restart_on_a_board_that_is_no_deployed_one(void** state)
+{
+    (void)state;
+    rig_t* rig = rig_start();
+    rig_extend(rig);
+    assert_true(tuning_select_law(&rig->board.tuning, guidance_law_line));
+    assert_true(tuning_set_line(&rig->board.tuning, 0, 40.0F));
+    assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
+    board_config_t config = {.may_be_in_flight = true, .storage = &rig->card.storage, .send = rig->board.line.send};
+    board_init(&rig->board, &config);
+    assert_int_equal(rig->board.tuning.gains.law, guidance_law_line);
+    assert_close(rig->board.tuning.gains.line.follow.bank_limit_deg, 40.0, 0.0);
+    assert_false(board_card_alarms(&rig->board.card));
+    config.legacy = true;
+    board_init(&rig->board, &config);
+    assert_int_equal(rig->board.tuning.gains.law, guidance_law_bearing);
+    assert_close(rig->board.tuning.gains.line.follow.bank_limit_deg, 30.0, 0.0);
+}
+
+static void gains_of_other_firmware_are_taken_by_name_and_an_impossible_one_spoils_all(void** state)
+{
+    (void)state;
+    rig_t* rig = rig_start();
+    uint8_t room[64];
+    (void)gain_record_put(room, 0, "of_other_firmware", 7.0F);
+    const size_t taken = gain_record_put(room, 1, "line_bank_limit", 45.0F);
+    assert_int_equal(gain_record_save(&rig->card.storage, room, sizeof room, taken), record_whole);
+    rig = restart(rig);
+    assert_false(tells_alarm(rig));
+    assert_close(rig->board.tuning.gains.line.follow.bank_limit_deg, 45.0, 0.0);
+    assert_close(rig->board.tuning.gains.line.follow.approach_time_s, 3.0, 0.0);
+    (void)gain_record_put(room, 0, "line_approach", 5.0F);
+    (void)gain_record_put(room, 1, "line_bank_limit", 90.0F);
+    assert_int_equal(gain_record_save(&rig->card.storage, room, sizeof room, taken), record_whole);
+    rig = restart(rig);
+    assert_true(tells_alarm(rig));
+    assert_close(rig->board.tuning.gains.line.follow.bank_limit_deg, 30.0, 0.0);
+    assert_close(rig->board.tuning.gains.line.follow.approach_time_s, 3.0, 0.0);
+}
+
 static void damage_to_one_thing_gives_its_default_and_an_alarm_and_leaves_the_others(void** state)
 {
     (void)state;
-    static const char* const names[board_keeps_count] = {"params", "plan.flight", "plan.hil"};
+    static const char* const names[board_keeps_count] = {"params", "gains", "plan.flight", "plan.hil"};
     for (size_t damaged = 0; damaged < board_keeps_count; damaged++)
     {
         rig_t* rig = rig_start();
         rig_extend(rig);
         assert_int_equal(rig_ask_parameter(rig, COMMAND_SET_K_ROLL_ID, 3.0F), command_done);
+        assert_true(tuning_select_law(&rig->board.tuning, guidance_law_line));
         assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
         assert_int_equal(rig_upload(rig, board_plan_flight, 3, 1), command_done);
         assert_int_equal(rig_upload(rig, board_plan_hil, 4, 2), command_done);
@@ -129,6 +171,8 @@ static void damage_to_one_thing_gives_its_default_and_an_alarm_and_leaves_the_ot
         const float k_roll = rig->board.tuning.parameters.values[PARAMETER_K_ROLL];
         assert_close(k_roll, damaged == board_keeps_parameters ? 2.0F : 3.0F, 0.0);
         assert_close(rig->board.tuning.gains.autopilot.k_roll, k_roll, 0.0);
+        assert_int_equal(rig->board.tuning.gains.law,
+                         damaged == board_keeps_own_gains ? guidance_law_bearing : guidance_law_line);
         assert_int_equal(rig->board.plans.plan[board_plan_flight].count, damaged == board_keeps_flight_plan ? 0 : 3);
         assert_int_equal(rig->board.plans.plan[board_plan_hil].count, damaged == board_keeps_hil_plan ? 0 : 4);
     }
@@ -206,6 +250,8 @@ int main(void)
         cmocka_unit_test(without_a_card_an_uploaded_plan_lives_until_the_restart),
         cmocka_unit_test(a_deployed_board_does_not_know_the_plans_of_its_card),
         cmocka_unit_test(a_board_that_restarted_by_itself_has_its_parameters_and_flies_no_plan),
+        cmocka_unit_test(the_law_and_its_gains_outlive_a_restart_on_a_board_that_is_no_deployed_one),
+        cmocka_unit_test(gains_of_other_firmware_are_taken_by_name_and_an_impossible_one_spoils_all),
         cmocka_unit_test(damage_to_one_thing_gives_its_default_and_an_alarm_and_leaves_the_others),
         cmocka_unit_test(a_card_that_cannot_be_read_gives_all_defaults_and_an_alarm_until_it_can_be_written),
         cmocka_unit_test(a_plan_that_cannot_be_stored_is_flown_and_alarmed_until_it_can),

@@ -15,6 +15,7 @@ from epf_gcs.codec.encode import encode_command
 from epf_gcs.lab.answers import Answers
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.laws import FMS_PERIOD_S, FMS_TASK, Laws
+from epf_gcs.lab.own_gains import OwnGains
 from epf_gcs.simulator.simulation import Simulation, SimulationOptions
 from epf_gcs.simulator.state import FlightState
 from epf_gcs.xplane.datagram import Surfaces, parse, surfaces_datagram
@@ -48,6 +49,7 @@ class ClosedLoop:
         self.crashes: list[str] = []
         self.simulation = Simulation(options, self.crashes.append)
         self.firmware = Laws(0.0 if measured else 1.0 / options.rate_hz, library)
+        self.own_gains = OwnGains(self.firmware.feed)
         self._sent_every_ms = round(1000.0 / options.rate_hz / (1 + repeats)) if measured else 0
         self._repeats = repeats
         self._rate_hz = options.rate_hz

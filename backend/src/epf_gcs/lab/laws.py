@@ -58,18 +58,6 @@ class Laws:
             raise LabError("the board sent more than its line takes")
         return self._out.raw[:size] if size else b""
 
-    def select(self, law: str) -> None:
-        """Fly plans by one of `LAWS`. Raises LabError if the board has only the deployed one."""
-        if law == LAWS[0] and not hasattr(self._library, "epf_flight_select_law"):
-            return
-        if not self._library.epf_flight_select_law(self._board, LAWS.index(law)):
-            raise LabError(f"the board has no law {law}")
-
-    def set_line_gain(self, name: str, value: float) -> None:
-        """Set a gain of the line law. Raises LabError for one that it has not, or refuses."""
-        if not self._library.epf_flight_set_line_gain(self._board, name.encode(), value):
-            raise LabError(f"the board takes no gain {name} of {value}")
-
     def advance(self, elapsed_ms: int) -> None:
         """Let time pass; needed between two commands 50 only if the board measures the time of its steps."""
         self._library.epf_flight_advance(self._board, elapsed_ms)
@@ -127,11 +115,6 @@ def _load(path: Path | None) -> ctypes.CDLL:
         ctypes.c_char_p,
         ctypes.c_size_t,
     )
-    if hasattr(loaded, "epf_flight_select_law"):
-        loaded.epf_flight_select_law.restype = ctypes.c_bool
-        loaded.epf_flight_select_law.argtypes = (ctypes.c_void_p, ctypes.c_int32)
-        loaded.epf_flight_set_line_gain.restype = ctypes.c_bool
-        loaded.epf_flight_set_line_gain.argtypes = (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_float)
     loaded.epf_flight_advance.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
     loaded.epf_flight_send_streams.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
     loaded.epf_flight_lost_bytes.restype = ctypes.c_size_t

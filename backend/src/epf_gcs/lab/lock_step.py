@@ -23,6 +23,7 @@ from epf_gcs.lab.closed_loop import FIRST_COMMANDS
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.figures import RouteEnd
 from epf_gcs.lab.laws import FMS_PERIOD_S, FMS_TASK, LINE_GAIN, Laws
+from epf_gcs.lab.own_gains import OwnGains
 from epf_gcs.lab.truth import Truth
 from epf_gcs.simulator.airframe import STEP_HZ, Airframe, AirframeError, ground_course
 from epf_gcs.simulator.crash import LOAD_LIMIT_G, crash_cause
@@ -81,6 +82,7 @@ class LockStep:
         self._rate_hz = options.rate_hz
         self._library = library
         self._laws = self._new_board()
+        self._own_gains = OwnGains(self._ask)
         self._answers = self._new_answers()
         lever = trim.controls.throttle if options.throttle is None else options.throttle
         self._lever = lever
@@ -113,13 +115,13 @@ class LockStep:
 
     def select(self, law: str) -> None:
         """Let the board fly its plan by one of its laws. Raises LabError if it has not this one."""
-        self._laws.select(law)
+        self._own_gains.select(law)
 
     def set_gains(self, gains: Mapping[str, float]) -> None:
         """Set gains by their name on the board, as `k_roll`. Raises LabError for one that it has not, or refuses."""
         for name, value in gains.items():
             if name.startswith(LINE_GAIN):
-                self._laws.set_line_gain(name, value)
+                self._own_gains.set(name, value)
                 continue
             if f"set_{name}" not in COMMANDS:
                 raise LabError(f"the board has no gain {name}")
@@ -212,6 +214,10 @@ class LockStep:
 
     def _tell(self, data: bytes) -> None:
         self._take(self._laws.feed(data))
+
+    def _ask(self, data: bytes) -> bytes:
+        """Of the present board, which a fault may have put in the place of the first."""
+        return self._laws.feed(data)
 
     def _take(self, data: bytes) -> None:
         """What the station does with the board's frames."""
