@@ -177,6 +177,7 @@ ErrorCode = Literal[
     "not_supported",
     "nothing_to_redo",
     "nothing_to_undo",
+    "own_gains_not_read",
     "parameter_out_of_range",
     "parameter_unknown",
     "parameters_not_read",

@@ -12,17 +12,19 @@ import struct
 import threading
 import time
 import tty
+import zlib
 from collections import Counter
 from pathlib import Path
 from types import TracebackType
 from typing import Self
 
 from epf_gcs.codec.ahrs_test import BEGIN, QUIT, SYNCHRONISE, SYNCHRONISED
-from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
-from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS
+from epf_gcs.codec.encode import encode_telemetry, frame_bytes
+from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS, TELEMETRY_BY_NAME
 
 HEARTBEAT_PERIOD_S = 0.02
+DESCRIBES_ITSELF = 64
 _FLAGS = (
     "autopilot",
     "autotrim",
@@ -41,6 +43,35 @@ _STREAMS = {"servos_in": "servos"}
 _ALL_STREAMS = ("servos", "gps", "statistics", "ahrs", "inertial", "analog", "fly_by_wire")
 
 
+def own_row(row: int, name: str = "line_k_bank", **changed: float | str) -> bytes:
+    """The payload of a row that describes a gain of 3 in 0.1..10, but for what is `changed`."""
+    values: dict[str, float | str] = {
+        "row": row,
+        "kind": 1,
+        "type": 1,
+        "needs_restart": 0,
+        "minimum": 0.1,
+        "maximum": 10.0,
+        "step": 0.1,
+        "default_value": 3.0,
+        "name": name,
+        "unit": "1/rad",
+        "group": "line",
+        "choices": "",
+        "help": "Aileron for each radian of bank error.",
+        **changed,
+    }
+    wire = [value.encode() if isinstance(value, str) else value for value in values.values()]
+    return TELEMETRY_BY_NAME["description_row"].struct.pack(*wire)
+
+
+def law_row(row: int, **changed: float | str) -> bytes:
+    """The payload of the row that describes the choice of the law."""
+    facts: dict[str, float | str] = {"type": 5, "minimum": 0, "maximum": 1, "step": 1, "default_value": 0}
+    texts = {"choices": "deployed|line", "unit": "1", "help": "Law that flies the leg."}
+    return own_row(row, "guidance_law", **{**facts, **texts, **changed})
+
+
 class FakeBoard:
     """Use it in a `with` block; a station opens `url`."""
 
@@ -57,6 +88,12 @@ class FakeBoard:
         self.ignore: Counter[str] = Counter()
         self.refuse: dict[str, int] = {}
         self.lose_item: int | None = None
+        # The rows with which it describes its own gains, their values, and how often the answer about a row is lost.
+        self.rows: list[bytes] = []
+        self.own_gains: dict[int, float] = {}
+        self.lose_row: Counter[int] = Counter()
+        self.lose_value = 0
+        self.own_checksum: int | None = None
         self.silent = False
         # What it says that it can do, each a bit.
         self.features = 15
@@ -252,6 +289,16 @@ class FakeBoard:
             self._write(encode_telemetry("hil_surfaces", 0.25, -0.5, 0.125, 0.75))
         elif name.startswith("mission_"):
             self._plan(name, values)
+        elif name == "describe":
+            checksum = zlib.crc32(b"".join(self.rows)) if self.own_checksum is None else self.own_checksum
+            self._write(encode_telemetry("description", len(self.rows), checksum))
+        elif name == "describe_item" and not self._loses(values[0]):
+            self._write(frame_bytes(FROM_BOARD, TELEMETRY_BY_NAME["description_row"], self.rows[values[0]]))
+        elif name.startswith("own_gain_") and not self._loses(values[0]):
+            self.own_gains[values[0]] = values[1] if name == "own_gain_set" else self.own_gains[values[0]]
+            self.lose_value -= 1
+            if self.lose_value < 0:
+                self._write(encode_telemetry("own_gain", values[0], self.own_gains[values[0]]))
 
     def _plan(self, name: str, values: tuple[float, ...]) -> None:
         plan = int(values[0])
@@ -267,6 +314,18 @@ class FakeBoard:
             for index, item in enumerate(items):
                 if index != self.lose_item:
                     self._write(encode_telemetry("mission_item", *item))
+
+    def describe(self, *rows: bytes) -> None:
+        """Have gains of its own, each with its default."""
+        self.features |= DESCRIBES_ITSELF
+        self.rows = list(rows)
+        place = [value.name for value in TELEMETRY_BY_NAME["description_row"].values].index("default_value")
+        row = TELEMETRY_BY_NAME["description_row"].struct
+        self.own_gains = {number: row.unpack(payload)[place] for number, payload in enumerate(rows)}
+
+    def _loses(self, row: float) -> bool:
+        self.lose_row[int(row)] -= 1
+        return self.lose_row[int(row)] >= 0
 
     def _gains_as_sent(self) -> list[float]:
         return [

@@ -269,7 +269,7 @@ export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
 
 /** What is wrong with the certificate, or soon will be. */
 export const isCertificateFault = shape({
-  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "own_gains_not_read", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
   detail: isText,
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
@@ -752,7 +752,7 @@ export const isPreparedField = shape({
   name: isText,
   percent: nullable(isNumber),
   problem: nullable(isText),
-  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
+  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "own_gains_not_read", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
   problem_params: dictionary(nullable(either(isText, isNumber, isFlag))),
   retries: isNumber,
   sources: list(isFieldSourceName),
@@ -1256,7 +1256,7 @@ export type JobStart = Checked<typeof isJobStart>;
 export const isParameterChange = shape({
   after: isNumber,
   before: nullable(isNumber),
-  name: isParameterName,
+  name: isText,
   state: oneOf("confirmed", "rejected", "timed_out"),
 });
 export type ParameterChange = Checked<typeof isParameterChange>;
@@ -1277,7 +1277,7 @@ export type JournalEntry = Checked<typeof isJournalEntry>;
 export const isParameterMove = shape({
   after: isNumber,
   before: isNumber,
-  name: isParameterName,
+  name: isText,
 });
 export type ParameterMove = Checked<typeof isParameterMove>;
 
@@ -1288,6 +1288,14 @@ export const isJournalEvent = shape({
   undo: nullable(list(isParameterMove)),
 });
 export type JournalEvent = Checked<typeof isJournalEvent>;
+
+/** A row that breaks a rule and cannot be used; `name` is null where it has none that can be read. */
+export const isLeftOutRow = shape({
+  name: nullable(isText),
+  reason: oneOf("lost", "too_many", "kind", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices"),
+  row: isNumber,
+});
+export type LeftOutRow = Checked<typeof isLeftOutRow>;
 
 /** The states of both links; one of them has changed. */
 export const isLinkEvent = shape({
@@ -1503,6 +1511,61 @@ export const isOnlineState = shape({
 });
 export type OnlineState = Checked<typeof isOnlineState>;
 
+/** One row of a board's table. Limits, step and default are in `unit`; of an enum, places of `choices` from 0. */
+export const isOwnGainDefinition = shape({
+  choices: list(isText),
+  default: isNumber,
+  doc: isText,
+  group: isText,
+  maximum: isNumber,
+  minimum: isNumber,
+  name: isText,
+  needs_restart: isFlag,
+  row: isNumber,
+  step: isNumber,
+  type: oneOf("f32", "i32", "u32", "flag", "enum"),
+  unit: isText,
+});
+export type OwnGainDefinition = Checked<typeof isOwnGainDefinition>;
+
+/** A value as far as it is known: the board's, when it was heard (Unix seconds), and what it was when all were
+ * last loaded. */
+export const isOwnGainState = shape({
+  heard_s: nullable(isNumber),
+  loaded: nullable(isNumber),
+  state: oneOf("unknown", "loaded", "pending", "confirmed", "rejected"),
+  value: nullable(isNumber),
+});
+export type OwnGainState = Checked<typeof isOwnGainState>;
+
+/** The board's table. Until it is known `gains` are those of the board that was heard last, if any.
+ *
+ * `rows_read` of `row_count` have come while it is being read. */
+export const isOwnGainTable = shape({
+  gains: list(isOwnGainDefinition),
+  left_out: list(isLeftOutRow),
+  row_count: isNumber,
+  rows_read: isNumber,
+  state: oneOf("none", "unknown", "reading", "known"),
+});
+export type OwnGainTable = Checked<typeof isOwnGainTable>;
+
+/** The table, and the values by name: one for each of its gains. */
+export const isOwnGains = shape({
+  table: isOwnGainTable,
+  values: dictionary(isOwnGainState),
+});
+export type OwnGains = Checked<typeof isOwnGains>;
+
+/** The board's own gains: a new table, null where it is as before, and the values that changed, by name.
+ *
+ * With a table come all of its values. */
+export const isOwnGainsEvent = shape({
+  table: nullable(isOwnGainTable),
+  values: dictionary(isOwnGainState),
+});
+export type OwnGainsEvent = Checked<typeof isOwnGainsEvent>;
+
 /** Gains that changed, by name. */
 export const isParameterEvent = shape({
   parameters: dictionary(isGainState),
@@ -1517,8 +1580,9 @@ export const isParameterJournal = shape({
 });
 export type ParameterJournal = Checked<typeof isParameterJournal>;
 
-/** The 17 gains. */
+/** The 17 gains, and those that the board describes itself. */
 export const isParameterList = shape({
+  own: isOwnGains,
   parameters: list(isParameterState),
 });
 export type ParameterList = Checked<typeof isParameterList>;
@@ -1832,6 +1896,7 @@ export const EVENT_CHECKS = {
   map_import: isMapImport,
   mark: isMarkEvent,
   mission: isMissionEvent,
+  own_gains: isOwnGainsEvent,
   parameter: isParameterEvent,
   recording: isRecordingEvent,
   simulator_jumped: isSimulatorJumpEvent,

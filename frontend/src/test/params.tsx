@@ -1,7 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { ParamsView } from "../features/parameters/ParamsView";
-import type { GainState, ParameterList } from "../protocol/guards.gen";
+import type { GainState, OwnGains, ParameterList } from "../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
@@ -13,9 +13,16 @@ export let station: Station;
 
 export type GainStates = Partial<Record<ParameterName, Partial<GainState>>>;
 
+/** A board that does not describe itself. */
+const NO_OWN_GAINS: OwnGains = {
+  table: { state: "none", rows_read: 0, row_count: 0, gains: [], left_out: [] },
+  values: {},
+};
+
 /** The gateway's list when the board has its defaults except for these. */
-export function listed(known: GainStates = {}): ParameterList {
+export function listed(known: GainStates = {}, own: OwnGains = NO_OWN_GAINS): ParameterList {
   return {
+    own,
     parameters: PARAMETERS.map(({ setId, isInteger, ...info }) => ({
       ...info,
       is_integer: isInteger,
@@ -71,22 +78,22 @@ export async function openPage(): Promise<void> {
 }
 
 /** Answers the questions of an opening. */
-export async function answer(known: GainStates): Promise<void> {
-  await newest("GET", /parameters$/).answer(listed(known));
+export async function answer(known: GainStates, own?: OwnGains): Promise<void> {
+  await newest("GET", /parameters$/).answer(listed(known, own));
   await newest("GET", /journal$/).answer({ entries: [], undo: null, redo: null });
 }
 
-export function field(name: ParameterName): HTMLInputElement {
+export function field(name: string): HTMLInputElement {
   return within(row(name)).getByRole("textbox", { name });
 }
 
-export function row(name: ParameterName): HTMLElement {
+export function row(name: string): HTMLElement {
   const found = document.querySelector<HTMLElement>(`[data-parameter="${name}"]`);
   if (found === null) throw new Error(`there is no row for ${name}`);
   return found;
 }
 
-export async function type(name: ParameterName, text: string): Promise<void> {
+export async function type(name: string, text: string): Promise<void> {
   await user.clear(field(name));
   await user.type(field(name), text);
 }

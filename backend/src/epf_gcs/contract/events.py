@@ -23,6 +23,7 @@ from epf_gcs.contract.answers import (
 )
 from epf_gcs.contract.base import LinkState, PageKind, ParamValue, PlanName, RoleName, Shape, StickSource
 from epf_gcs.contract.inspector import AdviceState
+from epf_gcs.contract.own_gains import OwnGainState, OwnGainTable
 from epf_gcs.contract.status import AlarmState, ControlRequest
 from epf_gcs.errors import ErrorCode, GatewayError
 
@@ -234,6 +235,18 @@ class MissionEvent(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class OwnGainsEvent(Event):
+    """The board's own gains: a new table, null where it is as before, and the values that changed, by name.
+
+    With a table come all of its values.
+    """
+
+    NAME = "own_gains"
+    table: OwnGainTable | None
+    values: Mapping[str, OwnGainState]
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterEvent(Event):
     """Gains that changed, by name."""
 
@@ -303,6 +316,7 @@ EVENTS: Final[Mapping[str, type[Event]]] = {
         LinkEvent,
         MarkEvent,
         MissionEvent,
+        OwnGainsEvent,
         ParameterEvent,
         RecordingEvent,
         SimulatorJumpEvent,

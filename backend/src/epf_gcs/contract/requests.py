@@ -17,7 +17,6 @@ from epf_gcs.contract.answers import (
     CommandOutcome,
     DiskPolicy,
     FlightKnowledge,
-    GainState,
     LinkResult,
     Mark,
     ParameterJournal,
@@ -26,6 +25,7 @@ from epf_gcs.contract.answers import (
 )
 from epf_gcs.contract.base import ControlSource, PlanName, SimulatorProfile, StickSource, SurfacePath
 from epf_gcs.contract.inspector import Inspector
+from epf_gcs.contract.own_gains import KnownGains
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.status import AlarmState, HilState, Status
 
@@ -158,29 +158,29 @@ class SetHil(Request[HilState]):
 
 
 @dataclass(frozen=True, slots=True)
-class ReadParameters(Request[dict[str, GainState]]):
+class ReadParameters(Request[KnownGains]):
     """The gains as far as they are known."""
 
 
 @dataclass(frozen=True, slots=True)
-class LoadParameters(Request[dict[str, GainState]]):
+class LoadParameters(Request[KnownGains]):
     """Read all gains from the board."""
 
 
 @dataclass(frozen=True, slots=True)
-class SetParameters(Request[dict[str, GainState]]):
-    """Write gains, and read them back."""
+class SetParameters(Request[KnownGains]):
+    """Write gains, built-in ones and the board's own, and read them back."""
 
     values: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
-class UndoParameters(Request[dict[str, GainState]]):
+class UndoParameters(Request[KnownGains]):
     """Take the newest step back."""
 
 
 @dataclass(frozen=True, slots=True)
-class RedoParameters(Request[dict[str, GainState]]):
+class RedoParameters(Request[KnownGains]):
     """Do again what was taken back."""
 
 

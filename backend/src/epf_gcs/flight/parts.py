@@ -20,6 +20,8 @@ from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.flight.board.missions import Missions
+from epf_gcs.flight.board.own_gains import OwnGainValues
+from epf_gcs.flight.board.own_table import OwnTableReader
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearmer
 from epf_gcs.flight.clock.line_clock import LineClock
@@ -135,7 +137,9 @@ def make_board(common: Common, owner: Owner) -> BoardParts:
         report=common.errors.report,
         name_of=common.client_names.name_of,
     )
-    parameters = Parameters(board, commands, outlet, journal)
+    reader = OwnTableReader(board, commands, common.folder / "own-gains.json", common.errors.report)
+    own = OwnGainValues(board, commands, outlet, common.clock, reader)
+    parameters = Parameters(board, commands, outlet, journal, own)
     rearming = Rearmer(
         board=board,
         commands=commands,

@@ -15,6 +15,8 @@ from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.journal import Journal
+from epf_gcs.flight.board.own_gains import OwnGainValues
+from epf_gcs.flight.board.own_table import OwnTableReader
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearmer
 from epf_gcs.flight.memory.memory import Memory
@@ -54,10 +56,12 @@ class World:
             report=self.errors.report,
             name_of=lambda _: None,
         )
+        reader = OwnTableReader(self.board, self.commands, folder / "own-gains.json", self.errors.report)
+        own = OwnGainValues(self.board, self.commands, self.outlet, self.clock, reader)
         self.rearming = Rearmer(
             board=self.board,
             commands=self.commands,
-            parameters=Parameters(self.board, self.commands, self.outlet, journal),
+            parameters=Parameters(self.board, self.commands, self.outlet, journal, own),
             telemetry=self.telemetry,
             memory=self.memory,
             errors=self.errors,

@@ -19,11 +19,27 @@ from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, MARK, PARAMETERS, PLAN
 from epf_gcs.recordings.reading import notes_of
-from tests.support.fake_board import FakeBoard
+from tests.support.fake_board import FakeBoard, own_row
 from tests.support.ports import free_udp_port
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
+
+
+async def test_the_boards_own_gains_are_in_the_file_with_their_table(tmp_path: Path, board: FakeBoard) -> None:
+    board.describe(own_row(0))
+    flight = Flight(tmp_path)
+    async with flight.running():
+        await flight.lines.open_board(parse_address(board.url))
+        await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
+        values = flight.parameters.own
+        await eventually_async(lambda: any(one.value == 3.0 for one in values.known.values.values()), "it is read")
+        await flight.parameters.set({"line_k_bank": 4.0}, None)
+    (file,) = (tmp_path / "recordings").glob("*.mcap")
+    own = [note.content for note in notes_of(file) if note.name == EVENT and note.content["event"] == "own_gains"]
+    tables = [one["data"]["table"] for one in own if one["data"]["table"] is not None]
+    assert tables[-1]["gains"][0]["name"] == "line_k_bank"
+    assert [one["data"]["values"]["line_k_bank"]["value"] for one in own if one["data"]["values"]][-1] == 4.0
 
 
 async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch) -> None:

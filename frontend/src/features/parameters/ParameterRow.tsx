@@ -6,6 +6,7 @@ import { useBoardBlocked } from "../../requests/useBlocked";
 import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
+import { GainMarks } from "./GainMarks";
 import { ParameterField } from "./ParameterField";
 import { useParameters } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
@@ -20,34 +21,19 @@ interface Props {
 export function ParameterRow({ name, onReset }: Props) {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const { value, loaded } = useParameters((values) => values.held[name]);
+  const held = useParameters((values) => values.held[name]);
   const blocked = useBoardBlocked();
   const info = INFO[name];
   return (
     <div className="params-row" data-parameter={name}>
       <ParameterField name={name} />
-      <div className="params-marks">
-        {value !== null && value !== info.default && (
-          <Mark
-            kind="default"
-            short={t("params.notDefault")}
-            long={t("params.notDefaultLong", { value: info.default })}
-          />
-        )}
-        {value !== null && loaded !== null && value !== loaded && (
-          <Mark
-            kind="loaded"
-            short={t("params.notLoaded")}
-            long={t("params.notLoadedLong", { value: loaded })}
-          />
-        )}
-      </div>
+      <GainMarks held={held} standard={info.default} />
       <div className="params-actions">
         <Button
           onPress={() => onReset(name)}
           icon={<RotateCcw aria-hidden="true" size={14} />}
           label={t("params.resetOne", { name })}
-          disabledReason={blocked ?? (value === info.default ? t("params.isDefault") : undefined)}
+          disabledReason={blocked ?? (held.value === info.default ? t("params.isDefault") : undefined)}
         >
           {null}
         </Button>
@@ -71,15 +57,5 @@ export function ParameterRow({ name, onReset }: Props) {
         </span>
       </p>
     </div>
-  );
-}
-
-/** A short sign with the whole sentence for pointer and screen reader. */
-function Mark({ kind, short, long }: { kind: "default" | "loaded"; short: string; long: string }) {
-  return (
-    <span className="params-mark" data-kind={kind} title={long}>
-      <span aria-hidden="true">{short}</span>
-      <span className="visually-hidden">{long}</span>
-    </span>
   );
 }

@@ -6,22 +6,26 @@ import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { type Diff, DiffDialog } from "./DiffDialog";
+import { type Filter, passes, plain } from "./gainFilter";
 import { Journal } from "./Journal";
+import { OwnGains, OwnTableState, useGroupName } from "./OwnGains";
 import { ParameterRow } from "./ParameterRow";
 import { ParamsTools, Stored } from "./ParamsTools";
-import type { ParameterValues } from "./parameterValues";
 import { useParameters } from "./parameterValues";
 import "./params.css";
 import { INFO, useFreshParameters } from "./useFreshParameters";
 
 const GROUPS = ["altitude", "heading", "rudder", "speed"] as const;
-const FILTERS = ["all", "default", "changed"] as const;
-type Filter = (typeof FILTERS)[number];
 
-/** "Autopilot Param": the 17 gains as the board has them, each edited by itself, and the ways to change several. */
+/**
+ * "Autopilot Param": the 17 gains as the board has them, each edited by itself, and the ways to change several; then
+ * those that the board describes itself.
+ */
 export function ParamsView() {
   const { t } = useTranslation();
   const held = useParameters((values) => values.held);
+  const own = useParameters((values) => values.own);
+  const groupName = useGroupName();
   const [diff, setDiff] = useState<Diff | null>(null);
   const [search, setSearch] = useState("");
   const [filter, setFilter] = useState<Filter>("all");
@@ -30,12 +34,18 @@ export function ParamsView() {
   const texts = (name: ParameterName, { group }: ParameterInfo): string =>
     `${name} ${t(`paramDoc.${name}`)} ${t(`paramGroup.${group}`)}`;
   // Within a group they stand in the order of the table in which pilots know them.
+  const finds = (text: string): boolean => plain(text).includes(plain(search.trim()));
   const shown = ORDER.filter(
-    (name) => passes(filter, name, held) && plain(texts(name, INFO[name])).includes(plain(search.trim())),
+    (name) => passes(filter, held[name], INFO[name].default) && finds(texts(name, INFO[name])),
+  );
+  const ownShown = own.table.gains.filter(
+    ({ name, doc, group, default: standard }) =>
+      passes(filter, own.values[name] ?? { value: null, loaded: null }, standard) &&
+      finds(`${name} ${doc} ${groupName(group)}`),
   );
   const isUnknown = PARAMETERS.every(({ name }) => held[name].value === null);
   const count = (kind: "default" | "changed"): number =>
-    ORDER.filter((name) => passes(kind, name, held)).length;
+    ORDER.filter((name) => passes(kind, held[name], INFO[name].default)).length;
 
   return (
     <div className="params">
@@ -82,8 +92,12 @@ export function ParamsView() {
             </Panel>
           );
         })}
-        {shown.length === 0 && <p className="params-none">{t("params.noneShown")}</p>}
       </div>
+      <OwnTableState />
+      <div className="params-groups">
+        <OwnGains gains={ownShown} />
+      </div>
+      {shown.length + ownShown.length === 0 && <p className="params-none">{t("params.noneShown")}</p>}
       <Journal />
       {diff !== null && <DiffDialog diff={diff} onClose={() => setDiff(null)} />}
     </div>
@@ -110,20 +124,3 @@ const ORDER: readonly ParameterName[] = [
   "k_div_R_speed",
   "k_div_velocidad",
 ];
-
-function passes(filter: Filter, name: ParameterName, held: ParameterValues["held"]): boolean {
-  const { value, loaded } = held[name];
-  switch (filter) {
-    case "all":
-      return true;
-    case "default":
-      return value !== null && value !== INFO[name].default;
-    case "changed":
-      return value !== null && loaded !== null && value !== loaded;
-  }
-}
-
-/** Without accents and capitals: what people type when they search. */
-function plain(text: string): string {
-  return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
-}

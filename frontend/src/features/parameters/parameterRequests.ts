@@ -19,6 +19,7 @@ import {
   take,
   takeEntry,
   takeJournal,
+  takeOwn,
   takeStored,
 } from "./parameterValues";
 
@@ -29,9 +30,10 @@ export function createParameterActions(values: ParameterStore, parts: RequesterP
   const { rest, wall_ms } = parts;
   const { run } = createAsking(parts);
   /** Edits under way, each with the newest request that waits for its end. */
-  const underWay = new Map<ParameterName, number | null>();
+  const underWay = new Map<string, number | null>();
 
-  function takeList({ parameters }: ParameterList): void {
+  function takeList({ parameters, own }: ParameterList): void {
+    takeOwn(values, own);
     take(values, Object.fromEntries(parameters.map(({ name, ...held }) => [name, held])));
   }
 
@@ -116,8 +118,12 @@ export function createParameterActions(values: ParameterStore, parts: RequesterP
 }
 
 /** The outcome of a step, from the gains that were read back. */
-function writtenEnd(changes: Changes, { parameters }: ParameterList): RequestEnd {
-  const written = parameters.filter(({ name }) => changes[name] !== undefined);
+function writtenEnd(changes: Changes, { parameters, own }: ParameterList): RequestEnd {
+  const ofBoard = Object.entries(own.values).map(([name, held]) => ({ name, ...held }));
+  const written = [...parameters, ...ofBoard].filter(({ name }) => changes[name] !== undefined);
+  const choices = new Map(own.table.gains.map(({ name, choices }) => [name, choices]));
+  const say = (name: string, value: number | null | undefined): string | number | null =>
+    value == null ? null : (choices.get(name)?.[value] ?? value);
   const refused = written.filter(({ state }) => state !== "confirmed");
   const [first] = refused;
   if (first !== undefined) {
@@ -128,13 +134,13 @@ function writtenEnd(changes: Changes, { parameters }: ParameterList): RequestEnd
         key: "params.saidRefused",
         params: {
           names: refused.map(({ name }) => name).join(", "),
-          wanted: changes[first.name] ?? "",
-          value: first.value ?? "@words.unknown",
+          wanted: say(first.name, changes[first.name]) ?? "",
+          value: say(first.name, first.value) ?? "@words.unknown",
         },
       },
     };
   }
-  const what = written.map(({ name, value }) => `${name} = ${value ?? ""}`).join(", ");
+  const what = written.map(({ name, value }) => `${name} = ${say(name, value) ?? ""}`).join(", ");
   return { state: "confirmed", message: info("params.saidWritten", { what }) };
 }
 
@@ -152,6 +158,8 @@ export function takeParameterEvent(
       }
     }
     take(values, news);
+  } else if (event === "own_gains") {
+    takeOwn(values, data);
   } else if (event === "journal") {
     takeEntry(values, data);
   } else if (event === "command" && data.name === "store_parameters" && data.state === "confirmed") {

@@ -1,7 +1,7 @@
 import { useStore } from "zustand";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Journal, JournalEntry, ParameterMoves } from "../../protocol/contract";
-import type { GainState } from "../../protocol/guards.gen";
+import type { GainState, OwnGains, OwnGainsEvent } from "../../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import type { Asker } from "../../requests/asking";
 import { usePart } from "../../store/hooks";
@@ -9,11 +9,12 @@ import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
 /** Requested values by parameter name. */
-export type Changes = Readonly<Partial<Record<ParameterName, number>>>;
+export type Changes = Readonly<Partial<Record<string, number>>>;
 
-/** The 17 gains as the gateway knows them, and the journal of what was written to them. */
+/** The 17 gains and the board's own as the gateway knows them, and the journal of what was written to them. */
 export interface ParameterValues {
   readonly held: Readonly<Record<ParameterName, GainState>>;
+  readonly own: OwnGains;
   /** Null until read from the gateway. */
   readonly journal: Journal | null;
   /** When the board confirmed that these values are on its card, Unix milliseconds; null: unknown. */
@@ -29,7 +30,7 @@ export interface ParameterActions {
   readonly refresh: () => Promise<void>;
   readonly load: (asker: Asker) => Promise<void>;
   /** Write one; while its last write is under way, only the newest request waits. */
-  readonly edit: (name: ParameterName, value: number) => Promise<void>;
+  readonly edit: (name: string, value: number) => Promise<void>;
   /**
    * Write several in one step, and read them back. Returns the message of a failure, or null: then `held` has each
    * outcome.
@@ -45,6 +46,10 @@ export const PARAMETER_REQUESTS = partName<ParameterActions>("parameters");
 const UNKNOWN: GainState = { value: null, loaded: null, state: "unknown" };
 const NOTHING: ParameterValues = {
   held: fill(() => UNKNOWN),
+  own: {
+    table: { state: "none", rows_read: 0, row_count: 0, gains: [], left_out: [] },
+    values: {},
+  },
   journal: null,
   stored_ms: null,
 };
@@ -64,6 +69,20 @@ export function take(store: ParameterStore, news: Readonly<Partial<Record<Parame
     const next = fill((name) => news[name] ?? held[name]);
     const isSame = PARAMETERS.every(({ name }) => next[name].value === held[name].value);
     return { held: next, stored_ms: isSame ? stored_ms : null };
+  });
+}
+
+/**
+ * Take the gateway's report of the board's own gains: with a table come all of its values. When a value changes, the
+ * card no longer has what the board has.
+ */
+export function takeOwn(store: ParameterStore, { table, values }: OwnGains | OwnGainsEvent): void {
+  store.setState(({ own, stored_ms }) => {
+    const isSame = Object.entries(values).every(([name, { value }]) => value === own.values[name]?.value);
+    return {
+      own: table === null ? { ...own, values: { ...own.values, ...values } } : { table, values },
+      stored_ms: isSame ? stored_ms : null,
+    };
   });
 }
 

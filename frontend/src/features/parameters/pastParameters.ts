@@ -18,6 +18,11 @@ export function createPastParameters(
   });
   return {
     actions: { ...createParameterActions(values, asking), refresh: known.read },
-    takeEvent: (event) => takeParameterEvent(values, event, asking.wall_ms()),
+    takeEvent: (event) => {
+      // Of a flight of the past only the 17 are known at every moment.
+      if (event.event !== "own_gains") {
+        takeParameterEvent(values, event, asking.wall_ms());
+      }
+    },
   };
 }

@@ -1,4 +1,4 @@
-"""The 17 gains on the board: read, set with read-back, undone, stored. A load only reads."""
+"""The gains on the board, the 17 and its own: read, set with read-back, undone, stored. A load only reads."""
 
 from __future__ import annotations
 
@@ -17,10 +17,12 @@ from epf_gcs.contract.events import ParameterEvent
 from epf_gcs.errors import BoardError, ConflictError, InvalidInputError, LinkError, NotFoundError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.journal import Journal
+from epf_gcs.flight.board.own_gains import OwnGainValues
 from epf_gcs.vehicle import parameters as gains
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.journal import Kind, Step
 from epf_gcs.vehicle.outside import Outlet
+from epf_gcs.vehicle.own_gains import as_held
 from epf_gcs.vehicle.parameters import BY_NAME, UNKNOWN, Held17
 
 # Some seconds also on a busy computer: who reads has pressed a key and sees that it is under way.
@@ -30,10 +32,11 @@ _READ_S: Final = 3.0
 class Parameters:
     """Holds the values that the board reported last, never values that were only requested.
 
-    `unconfirmed` are the gains whose last write the board refused or did not answer.
+    `unconfirmed` are the gains whose last write the board refused or did not answer. `own` are those that the board
+    describes itself: a write of both kinds is a step of the journal for each kind.
     """
 
-    def __init__(self, board: Board, commands: Commands, outlet: Outlet, journal: Journal) -> None:
+    def __init__(self, board: Board, commands: Commands, outlet: Outlet, journal: Journal, own: OwnGainValues) -> None:
         self._board = board
         self._commands = commands
         self._outlet = outlet
@@ -42,6 +45,7 @@ class Parameters:
         self._is_writing = False
         self._was_known = False
         self.journal = journal
+        self.own = own
         self.held: Held17 = UNKNOWN
         self.unconfirmed: tuple[str, ...] = ()
         self._unstored: dict[str, None] = {}
@@ -52,6 +56,7 @@ class Parameters:
         self._session += 1
         self._was_known |= any(one.value is not None for one in self.held.values())
         self._replace(UNKNOWN)
+        self.own.forget()
         self.journal.forget_steps()
 
     def accept_unconfirmed(self) -> None:
@@ -63,6 +68,8 @@ class Parameters:
         async with self._lock:
             await self._read(client, quiet=False)
             self._replace(gains.loaded_now(self.held))
+            await self.own.read()
+            self.own.mark_loaded()
 
     async def read_again(self) -> None:
         """Read all if they were known before they were last forgotten. Raises BoardError where it does not answer."""
@@ -73,9 +80,16 @@ class Parameters:
 
     async def set(self, changes: Mapping[str, float], client: str | None) -> None:
         """Set some and read all back. Raises InvalidInputError before anything is sent, BoardError without answer."""
-        self._check(changes)
+        own = {name: value for name, value in changes.items() if name in self.own}
+        built_in = {name: value for name, value in changes.items() if name not in own}
+        self._check(built_in)
+        for name, value in own.items():
+            self.own.check(name, value)
         async with self._lock:
-            await self._write("write", changes, client)
+            if built_in:
+                await self._write("write", built_in, client)
+            if own:
+                await self._write_own("write", own, client)
 
     async def undo(self, client: str | None) -> None:
         """Undo the newest step, with read-back. Raises ConflictError if there is none."""
@@ -93,7 +107,23 @@ class Parameters:
             step = due()
             if step is None:
                 raise none
-            await self._write(kind, {move.name: move.after for move in step}, client)
+            write = self._write_own if step[0].name in self.own else self._write
+            await write(kind, {move.name: move.after for move in step}, client)
+
+    async def _write_own(self, kind: Kind, changes: Mapping[str, float], client: str | None) -> None:
+        session, tried = self._session, list[ParameterChange]()
+        try:
+            for name, value in changes.items():
+                before = await self.own.value_before(name)
+                try:
+                    outcome = await self.own.set(name, value, client)
+                except BaseException as error:
+                    if not isinstance(error, ConflictError):
+                        tried.append(ParameterChange(name, before, as_held(value), "timed_out"))
+                    raise
+                tried.append(ParameterChange(name, before, as_held(value), outcome))
+        finally:
+            self._note(kind, tried, client, session)
 
     async def set_by_command(self, command: Message, value: float, client: str | None) -> CommandOutcome:
         """Send one set command without our own read-back, and note it in the journal."""
@@ -258,7 +288,7 @@ class Parameters:
             if name not in BY_NAME:
                 raise NotFoundError(
                     "parameter_unknown",
-                    f"There is no parameter '{name}': GET /api/v1/parameters lists the 17.",
+                    f"There is no parameter '{name}': GET /api/v1/parameters lists all.",
                     field=name,
                 )
             fault = gains.fault(name, value)

@@ -1,5 +1,5 @@
 """Each time a board opens, restore the streams, periods and control source that were requested before, read the gains
-again that were known, and ask for the times of HIL steps."""
+again that were known and the board's own, and ask for the times of HIL steps."""
 
 from __future__ import annotations
 
@@ -60,14 +60,18 @@ class Rearmer:
             self._on_change()
             if self._board.is_emulated:
                 continue
-            wanted = self._memory.now.wanted
-            self._board.session.expect_heartbeat_every(wanted.period_s(RATE_COMMANDS[0]))
-            try:
-                for name, arguments in wanted.missing(self._telemetry.newest("heartbeat") or {}):
-                    await self._commands.run(name, arguments, client="gateway")
-                await self._parameters.read_again()
-                if self._board.capabilities().get("has_hil_steps"):
-                    # So that the recording can be flown again: nobody here needs them.
-                    await self._commands.run("hil_steps_on", quiet=True)
-            except GatewayError as error:
-                self._errors.report(error)
+            for restore in (self._restore, self._parameters.own.read):
+                try:
+                    await restore()
+                except GatewayError as error:
+                    self._errors.report(error)
+
+    async def _restore(self) -> None:
+        wanted = self._memory.now.wanted
+        self._board.session.expect_heartbeat_every(wanted.period_s(RATE_COMMANDS[0]))
+        for name, arguments in wanted.missing(self._telemetry.newest("heartbeat") or {}):
+            await self._commands.run(name, arguments, client="gateway")
+        await self._parameters.read_again()
+        if self._board.capabilities().get("has_hil_steps"):
+            # So that the recording can be flown again: nobody here needs them.
+            await self._commands.run("hil_steps_on", quiet=True)

@@ -18,6 +18,7 @@ from epf_gcs.contract.events import (
     Event,
     LinkEvent,
     MissionEvent,
+    OwnGainsEvent,
     ParameterEvent,
     SimulatorJumpEvent,
     StickEvent,
@@ -84,7 +85,7 @@ class NotedBroadcast(Broadcast):
         is_sent_text = isinstance(event, ConsoleEvent) and event.direction == "sent"
         if isinstance(event, _NOTED) or is_sent_text:
             self._notes.event(event, self._event_ns)
-        if isinstance(event, ParameterEvent):
+        if isinstance(event, ParameterEvent | OwnGainsEvent):
             self.on_parameters()
         super().event(event)
 

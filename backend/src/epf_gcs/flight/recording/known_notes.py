@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 
 from epf_gcs import __version__
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.contract.events import ControlEvent, Event
+from epf_gcs.contract.events import ControlEvent, Event, OwnGainsEvent
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.hil.simulator import Simulator
@@ -77,6 +77,13 @@ class KnownNotes:
         self._notes.know(
             PARAMETERS, {name: asdict(gain_state(name, one)) for name, one in self._parameters.held.items()}
         )
+        own = self._parameters.own.known
+        if own.table.state != "none":
+            self._own_gains(OwnGainsEvent(own.table, {}), "own_gains.table")
+            self._own_gains(OwnGainsEvent(None, own.values), "own_gains.values")
+
+    def _own_gains(self, event: OwnGainsEvent, about: str) -> None:
+        self._notes.know(EVENT, {"event": event.NAME, "data": event}, about)
 
     def limits(self, limits: Mapping[str, float]) -> None:
         """What alarms are judged by."""

@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 
 from epf_gcs.codec.messages_gen import ROUTES
-from tests.support.fake_board import FakeBoard
+from tests.support.fake_board import FakeBoard, law_row, own_row
 from tests.support.gateway import Gateway
+from tests.support.waiting import eventually
 
 GANDO = [
     {
@@ -98,6 +99,50 @@ def test_a_wrong_value_names_field_and_range_and_nothing_is_sent(
     assert (answer.status_code, answer.json()["code"]) == (status, code)
     assert words in answer.json()["detail"]
     assert set_commands(board) == []
+
+
+def own_of(answer: Any) -> tuple[Any, Any]:
+    own = answer.json()["own"]
+    return own["table"], own["values"]
+
+
+def test_the_boards_own_gains_are_listed_with_their_definitions_and_written_by_name(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    board.describe(law_row(0), own_row(1), own_row(2, "Faulty"))
+    gateway.open_board(board.url)
+    eventually(
+        lambda: {one["value"] for one in own_of(gateway.http.get("/parameters"))[1].values()} == {0, 3},
+        "its own gains are read",
+    )
+    table, _ = own_of(gateway.http.get("/parameters"))
+    assert table["gains"][1] == {
+        "row": 1,
+        "name": "line_k_bank",
+        "group": "line",
+        "type": "f32",
+        "unit": "1/rad",
+        "minimum": 0.1,
+        "maximum": 10,
+        "step": 0.1,
+        "default": 3,
+        "choices": [],
+        "needs_restart": False,
+        "doc": "Aileron for each radian of bank error.",
+    }
+    assert table["left_out"] == [{"row": 2, "name": "Faulty", "reason": "name"}]
+    _, values = own_of(gateway.http.patch("/parameters", json={"line_k_bank": 4.5}).raise_for_status())
+    assert (values["line_k_bank"]["value"], values["line_k_bank"]["state"]) == (4.5, "confirmed")
+    _, values = own_of(gateway.http.post("/parameters/undo").raise_for_status())
+    assert (values["line_k_bank"]["value"], values["line_k_bank"]["state"]) == (3, "confirmed")
+    answer = gateway.http.patch("/parameters", json={"guidance_law": 2})
+    assert (answer.status_code, answer.json()["code"]) == (422, "parameter_out_of_range")
+
+
+def test_a_board_that_does_not_describe_itself_has_no_gains_of_its_own(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    table, values = own_of(gateway.http.get("/parameters"))
+    assert (table["state"], table["gains"], values) == ("none", [], {})
 
 
 def test_storing_needs_the_boards_word(gateway: Gateway, board: FakeBoard) -> None:

@@ -26,7 +26,8 @@ from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["commands"])
 
-# These are steps of something that has a place of its own: the link's dialogue, the HIL loop, the plans, the board's own gains.
+# These are steps of something that has a place of its own: the link's dialogue, the HIL loop, the plans, the
+# board's own gains.
 _INTERNAL: Final = frozenset(
     {
         "xplane_info",

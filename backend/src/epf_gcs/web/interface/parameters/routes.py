@@ -1,14 +1,14 @@
-"""The 17 gains: what the board holds."""
+"""The gains that the board holds: the 17, and those that it describes itself."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated
+from typing import Annotated, Final
 
 from fastapi import APIRouter, Body
 
 from epf_gcs.codec.messages_gen import PARAMETERS
-from epf_gcs.contract.answers import CommandOutcome, GainState, ParameterJournal, ParameterState
+from epf_gcs.contract.answers import CommandOutcome, ParameterJournal, ParameterState
+from epf_gcs.contract.own_gains import KnownGains
 from epf_gcs.contract.requests import (
     LoadParameters,
     ReadJournal,
@@ -23,6 +23,9 @@ from epf_gcs.web.interface.parameters.schemas import ParameterList
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/parameters", tags=["parameters"])
+
+# All of the 17, and more of its own than a board has.
+_MOST_CHANGES: Final = 529
 
 
 @router.get("", responses=reading_problems(409))
@@ -39,11 +42,12 @@ async def load_parameters(vehicle: VehicleDep, operator: OperatorDep) -> Paramet
 
 @router.patch("", responses=problems(404, 409, 502))
 async def patch_parameters(
-    changes: Annotated[dict[str, float], Body(examples=[{"k_pitch": 2.5}], min_length=1, max_length=17)],
+    changes: Annotated[dict[str, float], Body(examples=[{"k_pitch": 2.5}], min_length=1, max_length=_MOST_CHANGES)],
     vehicle: VehicleDep,
     operator: OperatorDep,
 ) -> ParameterList:
-    """Set some gains: one step of the journal. Answers after they were read back, `confirmed` or `rejected`."""
+    """Set some gains by name: one step of the journal, and one more for the board's own. Answers after they were read
+    back, `confirmed` or `rejected`."""
     return _parameters(await vehicle.ask(SetParameters(changes), operator))
 
 
@@ -71,5 +75,6 @@ async def store_parameters(vehicle: VehicleDep, operator: OperatorDep) -> Comman
     return await vehicle.ask(StoreParameters(), operator)
 
 
-def _parameters(held: Mapping[str, GainState]) -> ParameterList:
-    return ParameterList(parameters=[ParameterState.of(gain, held[gain.name]) for gain in PARAMETERS])
+def _parameters(known: KnownGains) -> ParameterList:
+    built_in = [ParameterState.of(gain, known.built_in[gain.name]) for gain in PARAMETERS]
+    return ParameterList(parameters=built_in, own=known.own)
