@@ -23,6 +23,7 @@ from epf_gcs.contract.answers import (
 )
 from epf_gcs.contract.base import LinkState, PageKind, ParamValue, PlanName, RoleName, Shape, StickSource
 from epf_gcs.contract.inspector import AdviceState
+from epf_gcs.contract.simulator_faults import FaultKind, FaultPlace, WindState
 from epf_gcs.contract.status import AlarmState, ControlRequest
 from epf_gcs.errors import ErrorCode, GatewayError
 
@@ -189,6 +190,21 @@ class ErrorEvent(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class FaultEvent(Event):
+    """A fault that was ordered in the embedded simulator began or ended; `frames`: in how many of its frames it showed
+    so far, null if not known. `strength` is null where its kind has none."""
+
+    NAME = "fault"
+    state: Literal["begun", "ended"]
+    id: str
+    place: FaultPlace
+    kind: FaultKind
+    strength: float | None = None
+    unit: str = ""
+    frames: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class FlightProcessEvent(Event):
     """The flight process was lost, or is back."""
 
@@ -284,6 +300,13 @@ class SurroundingsEvent(Event):
     NAME = "surroundings"
 
 
+@dataclass(frozen=True, slots=True)
+class WindEvent(WindState, Event):
+    """The wind of the embedded simulator was set."""
+
+    NAME = "wind"
+
+
 EVENTS: Final[Mapping[str, type[Event]]] = {
     kind.NAME: kind
     for kind in (
@@ -298,6 +321,7 @@ EVENTS: Final[Mapping[str, type[Event]]] = {
         ControlRequestEvent,
         ControlRequestEndEvent,
         ErrorEvent,
+        FaultEvent,
         FlightProcessEvent,
         JournalEvent,
         LinkEvent,
@@ -308,6 +332,7 @@ EVENTS: Final[Mapping[str, type[Event]]] = {
         SimulatorJumpEvent,
         StickEvent,
         SurroundingsEvent,
+        WindEvent,
     )
 }
 """By their names."""

@@ -16,11 +16,13 @@ from epf_gcs.contract.events import (
     CommandEvent,
     ConsoleEvent,
     Event,
+    FaultEvent,
     LinkEvent,
     MissionEvent,
     ParameterEvent,
     SimulatorJumpEvent,
     StickEvent,
+    WindEvent,
 )
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
@@ -32,11 +34,13 @@ _NOTED: Final = (
     AlarmEvent,
     BoardRestartEvent,
     CommandEvent,
+    FaultEvent,
     LinkEvent,
     MissionEvent,
     ParameterEvent,
     SimulatorJumpEvent,
     StickEvent,
+    WindEvent,
 )
 
 

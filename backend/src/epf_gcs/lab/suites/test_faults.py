@@ -8,8 +8,8 @@ from typing import Final, NamedTuple
 
 import pytest
 
+from epf_gcs.contract.simulator_faults import KINDS
 from epf_gcs.lab.bounds import Bounds
-from epf_gcs.lab.faults import KINDS
 from epf_gcs.lab.plugin import Lab
 from epf_gcs.lab.routes import FLIGHT_PLAN, HIL_PLAN, Route
 from epf_gcs.lab.suites.places import CRUISE_FT, CRUISE_KT, waypoint
