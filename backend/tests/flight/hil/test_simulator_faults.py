@@ -178,6 +178,10 @@ class Deaf:
             self.socket.sendto(datagram(report), sender)
         return True
 
+    def has_reported_to(self, faults: SimulatorFaultControl) -> bool:
+        self.answer()
+        return faults.flown is not None
+
 
 class Outlet:
     def __init__(self) -> None:
@@ -202,7 +206,7 @@ async def test_an_order_is_sent_again_until_it_is_obeyed_and_then_given_up() -> 
     faults = control(deaf, known)
     with deaf.socket:
         await faults._look()
-        await eventually_async(lambda: (deaf.answer() and False) or faults.flown is not None, "it answers")
+        await eventually_async(lambda: deaf.has_reported_to(faults), "it answers")
         with pytest.raises(UnavailableError, match="does not answer"):
             await faults.begin(Fault("gyro", "bias", 0.0))
         while deaf.answer():
@@ -219,7 +223,7 @@ async def test_the_recording_knows_what_is_flown_and_a_replay_reads_it_back() ->
     faults = control(deaf, known)
     with deaf.socket:
         await faults._look()
-        await eventually_async(lambda: (deaf.answer() and False) or faults.flown is not None, "it answers")
+        await eventually_async(lambda: deaf.has_reported_to(faults), "it answers")
         now = faults.flown
         assert now is not None
         assert [(one.begins_s, one.ends_s, one.strength) for one in now.faults] == [(999.0, 1019.0, 100.0)]
