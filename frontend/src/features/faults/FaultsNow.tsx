@@ -31,12 +31,18 @@ export function FaultsNow() {
       >
         {said}
       </span>
-      {first !== undefined && isOwner && !isPast && <EndAll />}
+      {first !== undefined && isOwner && !isPast && <EndAll isShort />}
     </div>
   );
 }
 
-export function EndAll({ disabledReason }: { readonly disabledReason?: string | undefined }) {
+interface EndAllProps {
+  readonly disabledReason?: string | undefined;
+  /** Where there is little room: the whole sentence is its name. */
+  readonly isShort?: boolean;
+}
+
+export function EndAll({ disabledReason, isShort = false }: EndAllProps) {
   const { t } = useTranslation();
   const { end } = usePart(FAULTS);
   const { state, stateText } = useAsked(END_ALL);
@@ -47,9 +53,10 @@ export function EndAll({ disabledReason }: { readonly disabledReason?: string | 
       state={state}
       stateText={stateText}
       disabledReason={disabledReason}
+      label={t("faults.endAll")}
       icon={<OctagonX aria-hidden="true" size={14} />}
     >
-      {t("faults.endAll")}
+      {t(isShort ? "faults.end" : "faults.endAll")}
     </Button>
   );
 }
