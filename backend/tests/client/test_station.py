@@ -13,11 +13,14 @@ import pytest
 from epf_gcs.access.roles import Role
 from epf_gcs.client import Ahrs, ControlError, Gps, Heartbeat, Station, StationError, StationLostError, samples_gen
 from epf_gcs.codec.messages_gen import ROUTES, XPLANE_ROWS
-from epf_gcs.contract.events import ControlEvent, ParameterEvent
+from epf_gcs.contract.events import ControlEvent, FaultEvent, ParameterEvent
+from epf_gcs.contract.simulator_faults import WindState
 from epf_gcs.web.stream.messages import TOPICS
 from tests.support.callers import person, program, strict_gateway
+from tests.support.embedded import embedded_simulator
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
+from tests.support.ports import free_udp_port
 from tests.support.waiting import DEADLINE_S
 
 GANDO = list(ROUTES["gando"].waypoints)
@@ -182,3 +185,31 @@ def test_every_topic_of_the_stream_has_a_type_but_the_raw_rows_and_the_ahrs_test
     assert types == set(TOPICS) - {"xplane_rows", "ahrs_test"}
     simulator = {field.name for field in dataclasses.fields(samples_gen.Simulator)}
     assert simulator == {value.name for row in XPLANE_ROWS["xp10"].values() for value in row.values}
+
+
+def test_an_owners_program_lets_things_go_wrong_in_the_simulator_and_ends_them(gateway: Gateway) -> None:
+    station_port = free_udp_port()
+
+    async def teach(port: int) -> None:
+        async with Station(gateway.base, name="instructor") as station:
+            with pytest.raises(StationError, match="none is in the loop"):
+                await station.begin_fault("pitot", "bias")
+            await station.open_simulator(station_port, "127.0.0.1", port, "xp10")
+            await station.until(lambda status: status.simulator.faults is not None, DEADLINE_S)
+            heard = asyncio.create_task(first(station.events(FaultEvent)))
+            await asyncio.sleep(0)
+            begun = await station.begin_fault("pitot", "bias", strength=8.0, length_s=600.0)
+            told = await heard
+            assert (told.state, told.id, told.place, told.strength, told.unit) == (
+                "begun",
+                begun.id,
+                "pitot",
+                8.0,
+                "kt",
+            )
+            assert (await station.set_wind(300.0, 12.0, "light")).wind == WindState(300.0, 12.0, "light")
+            assert (await station.end_faults(begun.id)).faults == []
+            assert (await station.end_faults()).faults == []
+
+    with embedded_simulator(station_port) as port:
+        asyncio.run(teach(port))

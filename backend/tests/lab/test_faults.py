@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from epf_gcs.codec.tables import Waypoint
+from epf_gcs.contract.simulator_faults import KINDS, Fault
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.faults import KINDS, Fault, read
+from epf_gcs.lab.faults import read
 from epf_gcs.lab.flight import Flight
 from epf_gcs.lab.flying import fly_wanted
 

@@ -129,9 +129,9 @@ class EndlessFlood(socket.socket):
 
     taken = 0
 
-    def recv(self, *_: int) -> bytes:
+    def recvfrom(self, *_: int) -> tuple[bytes, tuple[str, int]]:
         self.taken += 1
-        return b"DATA rubbish"
+        return b"DATA rubbish", (LOOPBACK, 9)
 
 
 def test_a_flood_of_datagrams_does_not_stop_the_flight() -> None:

@@ -16,9 +16,8 @@ import "./compact/compact.css";
 import { SourceBanner } from "../features/controls/SourceBanner";
 import { EmulationBanner } from "../features/emulation/EmulationBanner";
 import { Header } from "./bars/Header";
-import { LastMessage } from "./bars/LastMessage";
 import { PresentPage } from "./bars/presentPage";
-import { StatusBar } from "./bars/StatusBar";
+import { MessageRow, StatusBar } from "./bars/StatusBar";
 import { FlightInstruments } from "./compact/FlightInstruments";
 import { Strip } from "./compact/Strip";
 import { DialogsProvider, FIRST_START_PAGE, FieldWished, LoadFailure } from "./dialogs";
@@ -164,7 +163,7 @@ function Window() {
               <PageContext value={present}>
                 <TimeBar hasKeys={hasKeys} />
               </PageContext>
-              {isWide ? <StatusBar /> : <LastMessage className="app-last" />}
+              {isWide ? <StatusBar /> : <MessageRow />}
               {isWide && <Dock edge="floating" />}
             </div>
             <Shortcuts />

@@ -15,13 +15,18 @@ export function linkMessages(before: Status | null, status: Status): readonly Me
   });
 }
 
-/** The message for an event: an error of the gateway, a jump of the simulator's aircraft, or the outcome of another browser's command. */
+/** The message for an event: an error of the gateway, a jump of the simulator's aircraft, a fault in it, or the outcome of another browser's command. */
 export function eventMessage({ event, data }: StreamEvent, client: string | null): Message | null {
   if (event === "error") {
     return failureMessage(data, "warning");
   }
   if (event === "simulator_jumped") {
     return { level: "info", key: "said.jumped", params: { distance_m: data.distance_m } };
+  }
+  if (event === "fault") {
+    const key = data.state === "begun" ? "said.faultBegun" : "said.faultEnded";
+    const params = { place: `@faultPlace.${data.place}`, kind: `@faultKind.${data.kind}` };
+    return { level: data.state === "begun" ? "warning" : "info", key, params };
   }
   if (
     event === "command" &&

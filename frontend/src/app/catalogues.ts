@@ -12,6 +12,8 @@ import controlsEn from "../features/controls/controls.en.json";
 import controlsEs from "../features/controls/controls.es.json";
 import emulationEn from "../features/emulation/emulation.en.json";
 import emulationEs from "../features/emulation/emulation.es.json";
+import faultsEn from "../features/faults/faults.en.json";
+import faultsEs from "../features/faults/faults.es.json";
 import fieldEn from "../features/field/field.en.json";
 import fieldEs from "../features/field/field.es.json";
 import flightEn from "../features/flight/flight.en.json";
@@ -66,6 +68,7 @@ export const CATALOGUES = {
     ...checklistEs,
     ...controlsEs,
     ...emulationEs,
+    ...faultsEs,
     ...fieldEs,
     ...flightEs,
     ...flightsEs,
@@ -96,6 +99,7 @@ export const CATALOGUES = {
     ...checklistEn,
     ...controlsEn,
     ...emulationEn,
+    ...faultsEn,
     ...fieldEn,
     ...flightEn,
     ...flightsEn,

@@ -3,6 +3,7 @@ import { AHRS } from "../features/ahrs/alignment";
 import { ALARM_LOG, type AlarmLogStore, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
+import { createFaults, FAULTS } from "../features/faults/faultRequests";
 import { createInspector, INSPECTOR } from "../features/messages/inspectorRequests";
 import { createParameterActions, takeParameterEvent } from "../features/parameters/parameterRequests";
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
@@ -79,5 +80,6 @@ function withTools(parts: Parts, core: Core): Parts {
     .with(SELECTION, createSelection())
     .with(INSPECTOR, createInspector(core.rest))
     .with(EMULATION, createEmulation(core))
+    .with(FAULTS, createFaults(core))
     .with(DOCTOR, createDoctor(core));
 }

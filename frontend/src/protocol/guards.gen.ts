@@ -269,7 +269,7 @@ export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
 
 /** What is wrong with the certificate, or soon will be. */
 export const isCertificateFault = shape({
-  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "own_gains_not_read", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fault_not_carried", "fault_out_of_range", "fault_unknown", "faults_full", "faults_no_simulator", "faults_silent", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "own_gains_not_read", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
   detail: isText,
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
@@ -684,6 +684,70 @@ export const isFault = shape({
 });
 export type Fault = Checked<typeof isFault>;
 
+/** A fault that the embedded simulator can fly. `unit` is "" where it has no strength, "1" for a share. `usual_s`:
+ * its length where none is asked for; null: until somebody ends it. */
+export const isFaultChoice = shape({
+  highest: isNumber,
+  kind: oneOf("stuck", "bias", "drift", "noise", "dropout", "jump", "jammed", "slow", "weak", "reversed", "out", "loss", "delay", "jitter", "cut", "flipped", "pause", "silent", "reset", "gust"),
+  lowest: isNumber,
+  place: oneOf("gyro", "attitude", "pitot", "barometer", "gps", "receiver", "elevator", "aileron", "rudder", "engine", "line", "simulator", "board", "wind"),
+  says: isText,
+  unit: isText,
+  usual: isNumber,
+  usual_s: nullable(isNumber),
+});
+export type FaultChoice = Checked<typeof isFaultChoice>;
+
+/** A fault that was ordered in the embedded simulator began or ended; `frames`: in how many of its frames it showed
+ * so far, null if not known. `strength` is null where its kind has none. */
+export const isFaultEvent = shape({
+  frames: nullable(isNumber),
+  id: isText,
+  kind: oneOf("stuck", "bias", "drift", "noise", "dropout", "jump", "jammed", "slow", "weak", "reversed", "out", "loss", "delay", "jitter", "cut", "flipped", "pause", "silent", "reset", "gust"),
+  place: oneOf("gyro", "attitude", "pitot", "barometer", "gps", "receiver", "elevator", "aileron", "rudder", "engine", "line", "simulator", "board", "wind"),
+  state: oneOf("begun", "ended"),
+  strength: nullable(isNumber),
+  unit: isText,
+});
+export type FaultEvent = Checked<typeof isFaultEvent>;
+
+/** A fault that waits or is there. Unix times; `ends_s` is null until somebody ends it. `strength` is null where its
+ * kind has none. */
+export const isFaultState = shape({
+  begins_s: isNumber,
+  ends_s: nullable(isNumber),
+  id: isText,
+  is_on: isFlag,
+  kind: oneOf("stuck", "bias", "drift", "noise", "dropout", "jump", "jammed", "slow", "weak", "reversed", "out", "loss", "delay", "jitter", "cut", "flipped", "pause", "silent", "reset", "gust"),
+  place: oneOf("gyro", "attitude", "pitot", "barometer", "gps", "receiver", "elevator", "aileron", "rudder", "engine", "line", "simulator", "board", "wind"),
+  strength: nullable(isNumber),
+  unit: isText,
+});
+export type FaultState = Checked<typeof isFaultState>;
+
+/** Steady wind: the true direction it blows from, its speed, and turbulence by MIL-F-8785C's name. */
+export const isWindState = shape({
+  from_deg: isNumber,
+  speed_kt: isNumber,
+  turbulence: oneOf("none", "light", "moderate", "severe"),
+});
+export type WindState = Checked<typeof isWindState>;
+
+/** What goes wrong in the embedded simulator by order, the first to begin first, and its wind. */
+export const isSimulatedFaults = shape({
+  faults: list(isFaultState),
+  wind: isWindState,
+});
+export type SimulatedFaults = Checked<typeof isSimulatedFaults>;
+
+/** All faults that can be asked for, and what is flown now; `flown` is null where no embedded simulator is in the
+ * loop. */
+export const isFaultTable = shape({
+  choices: list(isFaultChoice),
+  flown: nullable(isSimulatedFaults),
+});
+export type FaultTable = Checked<typeof isFaultTable>;
+
 /** One corner of the fence, WGS 84. */
 export const isFenceCorner = shape({
   latitude_deg: isNumber,
@@ -752,7 +816,7 @@ export const isPreparedField = shape({
   name: isText,
   percent: nullable(isNumber),
   problem: nullable(isText),
-  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "own_gains_not_read", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
+  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "backup_disk_full", "backup_not_written", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "doctor_failed", "doctor_late", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fault_not_carried", "fault_out_of_range", "fault_unknown", "faults_full", "faults_no_simulator", "faults_silent", "fence_crosses", "fence_file_corners", "fence_file_no_fence", "fence_file_open", "fence_file_place", "fence_file_plan", "fence_file_rows", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_unreachable", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "first_start_not_kept", "flight_away", "flight_silent", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "jobs_busy_own", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "marks_full", "marks_own", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_above_ground", "mission_file_archive", "mission_file_cells", "mission_file_damaged", "mission_file_empty", "mission_file_fence", "mission_file_forbidden", "mission_file_frame", "mission_file_frame_differs", "mission_file_header", "mission_file_home_moves", "mission_file_home_unclear", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_other", "mission_file_out_of_range", "mission_file_too_long", "mission_file_track", "mission_file_unknown", "mission_file_unreadable", "mission_file_which_number", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "own_gains_not_read", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "profile_took_surfaces", "profile_wrong", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "rehearsal_busy", "rehearsal_failed", "rehearsal_late", "replays_busy", "replays_own", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
   problem_params: dictionary(nullable(either(isText, isNumber, isFlag))),
   retries: isNumber,
   sources: list(isFieldSourceName),
@@ -1754,7 +1818,8 @@ export type UnusableValue = Checked<typeof isUnusableValue>;
  *
  * `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
  * `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live.
- * `tells_rows`: X-Plane is told by the station which rows to send, and where to. */
+ * `tells_rows`: X-Plane is told by the station which rows to send, and where to.
+ * `faults`: what goes wrong in it by order; null if it takes no orders, as X-Plane. */
 export const isSimulatorStatus = shape({
   advice: nullable(isText),
   bytes_in: isNumber,
@@ -1762,6 +1827,7 @@ export const isSimulatorStatus = shape({
   datagrams_received: isNumber,
   drop_reasons: dictionary(isNumber),
   failure: nullable(isFailure),
+  faults: nullable(isSimulatedFaults),
   fitting_profile: nullable(oneOf("xp10", "xp12")),
   frames_skipped: dictionary(isNumber),
   frames_to_board: isNumber,
@@ -1875,6 +1941,14 @@ export const isTrackState = shape({
 });
 export type TrackState = Checked<typeof isTrackState>;
 
+/** The wind of the embedded simulator was set. */
+export const isWindEvent = shape({
+  from_deg: isNumber,
+  speed_kt: isNumber,
+  turbulence: oneOf("none", "light", "moderate", "severe"),
+});
+export type WindEvent = Checked<typeof isWindEvent>;
+
 /** The check of each event's data, by the event's name. */
 export const EVENT_CHECKS = {
   access: isAccessEvent,
@@ -1888,6 +1962,7 @@ export const EVENT_CHECKS = {
   control_request: isControlRequestEvent,
   control_request_closed: isControlRequestEndEvent,
   error: isErrorEvent,
+  fault: isFaultEvent,
   flight: isFlightProcessEvent,
   job: isJob,
   journal: isJournalEvent,
@@ -1903,4 +1978,5 @@ export const EVENT_CHECKS = {
   stick: isStickEvent,
   surroundings: isSurroundingsEvent,
   track: isTrackState,
+  wind: isWindEvent,
 };

@@ -23,6 +23,7 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.answers import AlarmBook, CommandOutcome, LinkResult, ParameterJournal, ParameterState
 from epf_gcs.contract.base import ControlSource, PlanName, RoleName, SimulatorProfile, SurfacePath
 from epf_gcs.contract.flights import Flight, Job
+from epf_gcs.contract.simulator_faults import FaultKind, FaultPlace, FaultState, SimulatedFaults, TurbulenceName
 from epf_gcs.contract.status import HilState, Status
 
 _OPENING_S: Final = 20.0
@@ -151,6 +152,29 @@ class Station:
         """Who holds the stick, and who moves the simulator's surfaces; None stays as it is."""
         asked = {"source": source, "path": path}
         return await self._rest.ask("PUT", "/hil", HilState, {name: word for name, word in asked.items() if word})
+
+    async def begin_fault(
+        self,
+        place: FaultPlace,
+        kind: FaultKind,
+        *,
+        start_s: float = 0.0,
+        length_s: float | None = None,
+        strength: float | None = None,
+    ) -> FaultState:
+        """Let something go wrong in the embedded simulator, `start_s` from now; None: as usual for it. For owners."""
+        asked = {"place": place, "kind": kind, "start_s": start_s, "length_s": length_s, "strength": strength}
+        return await self._rest.ask("POST", "/faults", FaultState, asked)
+
+    async def end_faults(self, fault_id: str | None = None) -> SimulatedFaults:
+        """End a fault of the embedded simulator, or all."""
+        path = "/faults" if fault_id is None else f"/faults/{fault_id}"
+        return await self._rest.ask("DELETE", path, SimulatedFaults)
+
+    async def set_wind(self, from_deg: float, speed_kt: float, turbulence: TurbulenceName = "none") -> SimulatedFaults:
+        """Steady wind and turbulence of the embedded simulator from now on."""
+        asked = {"from_deg": from_deg, "speed_kt": speed_kt, "turbulence": turbulence}
+        return await self._rest.ask("PUT", "/faults/wind", SimulatedFaults, asked)
 
     async def open_board(self, url: str) -> LinkResult:
         """Open the board's line, such as serial:///dev/ttyUSB0 or tcp://10.0.0.2:7000."""

@@ -24,6 +24,7 @@ from epf_gcs.contract.answers import (
 from epf_gcs.contract.base import LinkState, PageKind, ParamValue, PlanName, RoleName, Shape, StickSource
 from epf_gcs.contract.inspector import AdviceState
 from epf_gcs.contract.own_gains import OwnGainState, OwnGainTable
+from epf_gcs.contract.simulator_faults import FaultKind, FaultPlace, WindState
 from epf_gcs.contract.status import AlarmState, ControlRequest
 from epf_gcs.errors import ErrorCode, GatewayError
 
@@ -190,6 +191,21 @@ class ErrorEvent(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class FaultEvent(Event):
+    """A fault that was ordered in the embedded simulator began or ended; `frames`: in how many of its frames it showed
+    so far, null if not known. `strength` is null where its kind has none."""
+
+    NAME = "fault"
+    state: Literal["begun", "ended"]
+    id: str
+    place: FaultPlace
+    kind: FaultKind
+    strength: float | None = None
+    unit: str = ""
+    frames: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class FlightProcessEvent(Event):
     """The flight process was lost, or is back."""
 
@@ -297,6 +313,13 @@ class SurroundingsEvent(Event):
     NAME = "surroundings"
 
 
+@dataclass(frozen=True, slots=True)
+class WindEvent(WindState, Event):
+    """The wind of the embedded simulator was set."""
+
+    NAME = "wind"
+
+
 EVENTS: Final[Mapping[str, type[Event]]] = {
     kind.NAME: kind
     for kind in (
@@ -311,6 +334,7 @@ EVENTS: Final[Mapping[str, type[Event]]] = {
         ControlRequestEvent,
         ControlRequestEndEvent,
         ErrorEvent,
+        FaultEvent,
         FlightProcessEvent,
         JournalEvent,
         LinkEvent,
@@ -322,6 +346,7 @@ EVENTS: Final[Mapping[str, type[Event]]] = {
         SimulatorJumpEvent,
         StickEvent,
         SurroundingsEvent,
+        WindEvent,
     )
 }
 """By their names."""

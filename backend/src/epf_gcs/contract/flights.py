@@ -22,6 +22,7 @@ EventKind = Literal[
     "console",
     "control",
     "damage",
+    "fault",
     "gap",
     "jump",
     "limits",
@@ -34,6 +35,7 @@ EventKind = Literal[
     "restart",
     "stick",
     "waypoint",
+    "wind",
 ]
 
 

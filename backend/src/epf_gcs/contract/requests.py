@@ -27,6 +27,7 @@ from epf_gcs.contract.base import ControlSource, PlanName, SimulatorProfile, Sti
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.own_gains import KnownGains
 from epf_gcs.contract.playback import Playback
+from epf_gcs.contract.simulator_faults import FaultKind, FaultPlace, FaultState, SimulatedFaults, TurbulenceName
 from epf_gcs.contract.status import AlarmState, HilState, Status
 
 AnswerT_co = TypeVar("AnswerT_co", covariant=True)
@@ -152,6 +153,36 @@ class SetHil(Request[HilState]):
     path: SurfacePath | None = None
     stick: StickSource | None = None
     gamepad: str = ""
+
+
+# ---- faults of the embedded simulator -----------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class BeginFault(Request[FaultState]):
+    """Let something go wrong `start_s` from now; None: as usual for its kind."""
+
+    place: FaultPlace
+    kind: FaultKind
+    start_s: float = 0.0
+    length_s: float | None = None
+    strength: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class EndFault(Request[SimulatedFaults]):
+    """End a fault; None: all."""
+
+    id: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SetWind(Request[SimulatedFaults]):
+    """Steady wind and turbulence from now on."""
+
+    from_deg: float
+    speed_kt: float
+    turbulence: TurbulenceName
 
 
 # ---- gains and plans -----------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from epf_gcs.contract.base import (
     StickSource,
     SurfacePath,
 )
+from epf_gcs.contract.simulator_faults import SimulatedFaults
 from epf_gcs.contract.surroundings import SurroundingsState
 from epf_gcs.errors import ErrorCode
 
@@ -120,6 +121,7 @@ class SimulatorStatus(Shape):
     `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
     `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live.
     `tells_rows`: X-Plane is told by the station which rows to send, and where to.
+    `faults`: what goes wrong in it by order; null if it takes no orders, as X-Plane.
     """
 
     state: LinkState = "closed"
@@ -134,6 +136,7 @@ class SimulatorStatus(Shape):
     missing_rows: list[int] = field(default_factory=list)
     unusable: list[UnusableValue] = field(default_factory=list)
     paused: bool = False
+    faults: SimulatedFaults | None = None
     advice: str | None = None
     datagrams_received: int = 0
     datagrams_dropped: int = 0

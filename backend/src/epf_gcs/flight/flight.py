@@ -26,6 +26,7 @@ from epf_gcs.flight.memory.flight_log import FlightLog
 from epf_gcs.flight.parts import make_alarms, make_board, make_common, make_loop
 from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.requests.commands import command_requests
+from epf_gcs.flight.requests.faults import fault_requests
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
@@ -60,6 +61,7 @@ class Flight:
         loop = make_loop(common, board, self)
         self.stick, self.hil, self.ahrs_test, self.switches = loop.stick, loop.hil, loop.ahrs_test, loop.switches
         self.simulator, self.supervisor, self.lines = loop.simulator, loop.supervisor, loop.lines
+        self.faults = loop.faults
         self.rates = LineRates()
         watched = make_alarms(common, board, loop, self)
         self.watch, self.alarms, self._alarm_history = watched.watch, watched.alarms, watched.history
@@ -103,6 +105,7 @@ class Flight:
             supervisor=self.supervisor,
             lines=self.lines,
             simulator=self.simulator,
+            faults=self.faults,
             hil=self.hil,
             rates=self.rates,
             ahrs_test=self.ahrs_test,
@@ -120,6 +123,7 @@ class Flight:
             **parameter_requests(self.parameters),
             **mission_requests(self.missions),
             **self.switches.requests(),
+            **fault_requests(self.faults),
             **alarm_requests(self.alarms, self.watch.battery, self._known.limits),
             **recording_requests(self.recorder, self.notes, self._known, self.memory, self.outlet),
         }
@@ -146,6 +150,7 @@ class Flight:
                     for name, job in (
                         ("board link", self.supervisor.run),
                         ("simulator link", self.simulator.run),
+                        ("simulator faults", self.faults.run),
                         ("re-arming", self.rearming.run),
                         ("housekeeping", self._housekeeping.run),
                         ("advice", self._advised.run),

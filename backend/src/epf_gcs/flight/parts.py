@@ -27,6 +27,7 @@ from epf_gcs.flight.board.rearming import Rearmer
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
+from epf_gcs.flight.hil.simulator_faults import SimulatorFaultControl
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
@@ -37,6 +38,7 @@ from epf_gcs.flight.requests.hil import HilSwitches
 from epf_gcs.flight.state.alarm_history import AlarmHistory
 from epf_gcs.flight.state.lines import BothLines, Lines, LinkOpener
 from epf_gcs.flight.state.watch import Watch
+from epf_gcs.recordings.notes import EVENT
 from epf_gcs.repeating import log_and_count_failures
 from epf_gcs.vehicle.alarms import Alarm, Alarms, News
 from epf_gcs.vehicle.restart import Restart
@@ -160,6 +162,7 @@ class LoopParts:
     stick: Stick
     hil: Hil
     simulator: Simulator
+    faults: SimulatorFaultControl
     supervisor: Supervisor
     both: BothLines
     lines: Lines
@@ -176,6 +179,13 @@ def make_loop(common: Common, parts: BoardParts, owner: Owner) -> LoopParts:
     hil = Hil(vehicle, clock, stick)
     hil.path = "assisted" if memory.now.hil_path == "assisted" else "manual"
     simulator = Simulator(hil, clock, simulator_tap, report, owner.on_line)
+    faults = SimulatorFaultControl(
+        simulator,
+        common.outlet,
+        clock,
+        lambda flown: common.notes.know(EVENT, {"event": "faults", "data": flown}, "faults"),
+        owner.changed,
+    )
     opener = LinkOpener(hil, lambda: simulator.address is not None)
     supervisor = Supervisor(
         board,
@@ -206,7 +216,7 @@ def make_loop(common: Common, parts: BoardParts, owner: Owner) -> LoopParts:
     ahrs_test = AhrsTestRun(
         vehicle=vehicle, clock=clock, errors=common.errors, flies=owner.flies, changed=owner.on_ahrs_test
     )
-    return LoopParts(stick, hil, simulator, supervisor, both, lines, switches, ahrs_test)
+    return LoopParts(stick, hil, simulator, faults, supervisor, both, lines, switches, ahrs_test)
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,11 +33,13 @@ _KINDS: Final[Mapping[str, EventKind]] = {
     "command": "command",
     "console": "console",
     "control": "control",
+    "fault": "fault",
     "link": "link",
     "mission": "plan",
     "parameter": "parameter",
     "simulator_jumped": "jump",
     "stick": "stick",
+    "wind": "wind",
 }
 _NAMES: Final = {
     "advice": "code",
@@ -46,6 +48,7 @@ _NAMES: Final = {
     "console": "direction",
     "mission": "plan",
     "control": "name",
+    "fault": "place",
     "stick": "source",
 }
 # A burst of damaged frames with no longer pause than this is one event.

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
+from epf_gcs.contract.simulator_faults import Fault
 from epf_gcs.lab.answers import within_limits
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.faults import Fault, check_aircraft
+from epf_gcs.lab.faults import check_aircraft
 from epf_gcs.lab.faulty import FaultyLockStep
 from epf_gcs.simulator.airframe import ground_course
 from epf_gcs.simulator.link import LinkQuality

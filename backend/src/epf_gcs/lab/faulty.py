@@ -10,12 +10,13 @@ from typing import Final
 from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.contract.simulator_faults import Fault
 from epf_gcs.lab.answers import Answers
-from epf_gcs.lab.effects import SENSORS, SERVOS, Effect, LineEffect, SensorEffect, ServoEffect
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.faults import Fault, check_hil
+from epf_gcs.lab.faults import check_hil
 from epf_gcs.lab.laws import Laws
 from epf_gcs.lab.lock_step import LockStep
+from epf_gcs.simulator.effects import SENSORS, SERVOS, Effect, GustEffect, LineEffect, SensorEffect, ServoEffect
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.state import Controls
 
@@ -38,6 +39,9 @@ class FaultyLockStep(LockStep):
         self._sensors = [SensorEffect(one, seed, self.fields) for one in faults if one.place in SENSORS]
         self._servos = [ServoEffect(one, seed, period_s) for one in faults if one.place in SERVOS]
         self._lines = [LineEffect(one, seed) for one in faults if one.place == "line"]
+        self._to_board = [line.direction("to", line.flipped) for line in self._lines]
+        self._to_station = [line.direction("from", line.flipped) for line in self._lines]
+        self._gusts = [GustEffect(one, seed) for one in faults if one.place == "wind"]
         self._pauses = [Effect(one, seed) for one in faults if one.place == "simulator"]
         self._resets = [Effect(one, seed) for one in faults if one.place == "board"]
         self._newest = b""
@@ -53,7 +57,7 @@ class FaultyLockStep(LockStep):
         check_hil(faults)
 
     def _effects(self) -> list[Effect]:
-        return [*self._sensors, *self._servos, *self._lines, *self._pauses, *self._resets]
+        return [*self._sensors, *self._servos, *self._lines, *self._gusts, *self._pauses, *self._resets]
 
     def _evidence(self, effect: Effect) -> str:
         shown = effect.evidence()
@@ -76,6 +80,8 @@ class FaultyLockStep(LockStep):
             if self._begins(reset):
                 self._start_anew()
         self._tick()
+        if self._gusts:
+            self._craft.gust(sum(gust.more_kt(self.time_s) for gust in self._gusts))
         return super()._frame()
 
     def _begins(self, effect: Effect) -> bool:
@@ -118,16 +124,16 @@ class FaultyLockStep(LockStep):
         return frame_bytes(TO_BOARD, _INFO, _VALUES.pack(*told))
 
     def _give(self, arrived: list[bytes]) -> None:
-        for line in self._lines:
-            arrived = line.to_board(self.time_s, arrived)
+        for to_board in self._to_board:
+            arrived = to_board.carry(self.time_s, arrived)
         for reset in self._resets:
             if reset.fault.is_on(self.time_s):
                 reset.show()
                 arrived = []
         answers = [answer for told in arrived if (answer := self._laws.feed(told))]
         self._newest = arrived[-1] if arrived else self._newest
-        for line in self._lines:
-            answers = line.to_station(self.time_s, answers)
+        for to_station in self._to_station:
+            answers = to_station.carry(self.time_s, answers)
         for answer in answers:
             self._take(answer)
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from epf_gcs.contract.simulator_faults import Fault
 from epf_gcs.lab.aircraft_loop import AircraftLoop
 from epf_gcs.lab.conditions import USUAL, Conditions
 from epf_gcs.lab.errors import LabError
-from epf_gcs.lab.faults import Fault
 from epf_gcs.lab.faulty import FaultyLockStep
 from epf_gcs.lab.figures import Figures, measure
 from epf_gcs.lab.laws import BANK_LIMIT, LINE, USUAL_BANK_DEG

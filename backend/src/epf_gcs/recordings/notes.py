@@ -20,8 +20,9 @@ PARAMETERS: Final = "epf/parameters"
 # {"plan": "flight" or "hil", "waypoints": [...] or null} as GET /api/v1/missions/{plan} gives it.
 PLAN: Final = "epf/plan"
 # {"event": kind, "data": {...}} as the stream sends it: command, alarm, link, parameter, mission, board_restarted,
-# simulator_jumped, control, advice, stick, and console lines that were sent; and, known whole each time, hil ("path"
-# and "source") and limits (of alarms, by name). Other things that the bytes themselves bring about are not noted.
+# simulator_jumped, control, advice, stick, fault, wind, and console lines that were sent; and, known whole each time,
+# hil ("path" and "source"), limits (of alarms, by name) and faults ("flown", as the status has them). Other things that
+# the bytes themselves bring about are not noted.
 EVENT: Final = "epf/event"
 # {"text": words of the person, "by": name or null, "id": text}
 MARK: Final = "epf/mark"

@@ -14,7 +14,7 @@ from epf_gcs.vehicle.wanted import RATE_COMMANDS, IntendedSettings
 _DONE: Final = frozenset({"confirmed", "sent"})
 LineName = Literal["board", "simulator"]
 # What an event of these kinds says is in the newest of its kind.
-_NEWEST: Final = frozenset({"control", "stick", "hil"})
+_NEWEST: Final = frozenset({"control", "stick", "hil", "faults"})
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from typing import Final
 
 from epf_gcs.codec.session import SessionState
 from epf_gcs.contract.base import LinkState
+from epf_gcs.contract.simulator_faults import noted_faults
 from epf_gcs.contract.status import BoardStatus, HilState, RecordingState, SimulatorStatus, Status, StickState
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.vehicle.board_facts import features_of, firmware_of, percent, periods_of
@@ -67,6 +68,7 @@ def _simulator(head: Playhead) -> SimulatorStatus:
         missing_rows=simulator.missing_rows(now_s) if state == "open" else [],
         unusable=[value.state for value in simulator.unusable(now_s)] if state == "open" else [],
         paused=simulator.motion.is_paused(now_s),
+        faults=noted_faults(known.event("faults")),
         datagrams_received=simulator.datagrams,
         datagrams_dropped=head.datagrams_dropped,
         drop_reasons={"malformed": head.datagrams_dropped} if head.datagrams_dropped else {},

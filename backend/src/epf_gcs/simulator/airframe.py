@@ -10,12 +10,12 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from epf_gcs.extras import SIM
 from epf_gcs.simulator.models import AircraftModel
-from epf_gcs.simulator.situation import AIRPORT_ELEVATION_FT, FT_S_PER_KT, Loading, Situation, Start, Turbulence
+from epf_gcs.simulator.situation import AIRPORT_ELEVATION_FT, FT_S_PER_KT, Loading, Situation, Start, Turbulence, Wind
 from epf_gcs.simulator.state import Controls, FlightState
 from epf_gcs.units import FT_MIN_PER_FT_S
 
@@ -161,6 +161,21 @@ class Airframe:
         except RuntimeError as error:
             raise AirframeError(f"the flight model broke down: {error}") from error
 
+    def blow(self, wind: Wind, turbulence: Turbulence) -> None:
+        """From now on the steady wind and the turbulence are these; a gust goes on."""
+        wind_at_20_ft, self._severity = _TURBULENCE.get(turbulence, (0.0, 0.0))
+        self._fdm["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = wind_at_20_ft
+        self._fdm["atmosphere/turbulence/milspec/severity"] = self._severity
+        self._wind = wind
+        self.gust(self._gust_kt)
+
+    def gust(self, more_kt: float) -> None:
+        """The wind blows by so much more than the steady one, from where that comes."""
+        self._gust_kt = more_kt
+        north, east = replace(self._wind, speed_kt=self._wind.speed_kt + more_kt).towards_ft_s()
+        self._fdm["atmosphere/wind-north-fps"] = north
+        self._fdm["atmosphere/wind-east-fps"] = east
+
     def motion(self) -> Motion:
         """Attitude and velocity through the air of this instant."""
         fdm = self._fdm
@@ -244,8 +259,8 @@ class Airframe:
         fdm["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = wind_at_20_ft
         if not fdm.run_ic():
             raise AirframeError(f"JSBSim cannot start {self._model.name} in this situation")
-        fdm["atmosphere/wind-north-fps"] = wind_north
-        fdm["atmosphere/wind-east-fps"] = wind_east
+        self._wind = situation.wind
+        self.gust(0.0)
         self._severity = severity
 
     def _load_weights(self, loading: Loading) -> None:

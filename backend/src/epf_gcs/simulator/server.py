@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from epf_gcs.contract.simulator_faults import MAGIC, FaultOrder, read_datagram
+from epf_gcs.contract.simulator_faults import datagram as fault_datagram
 from epf_gcs.simulator.clock import Schedule
 from epf_gcs.simulator.simulation import Simulation
 
@@ -48,6 +50,9 @@ class Server:
         self._station = station
         self._pace = pace
         self._asked_to_stop = asked_to_stop
+        # Who ordered a fault last, or asked for a report: told of each that begins or ends.
+        self._asker: Address | None = None
+        self._marks: tuple[tuple[str, bool], ...] = ()
         self.datagrams_sent = 0
         self.send_failures = 0
         self.stalls = 0
@@ -70,23 +75,21 @@ class Server:
         while not self._over():
             now_s = time.monotonic()
             if now_s >= schedule.due_s:
-                simulation.advance()
-                simulation.send()
+                self._advance()
                 frame_s = now_s
                 schedule.done(time.monotonic())
                 self.stalls = schedule.shifts
             # Delayed datagrams are sent when they are due, not only at the next frame.
             self._send(simulation.arrived(simulation.time_s + (now_s - frame_s) * speed_up))
             wake_s = schedule.due_s
-            if (due_s := simulation.downlink.next_due_s) is not None:
+            if (due_s := simulation.next_due_s) is not None:
                 wake_s = min(wake_s, frame_s + (due_s - simulation.time_s) / speed_up)
             self._receive(wake_s - time.monotonic())
 
     def _run_in_lockstep(self) -> None:
         simulation = self._simulation
         while not self._over():
-            simulation.advance()
-            simulation.send()
+            self._advance()
             frame = simulation.arrived(simulation.time_s)
             self._send(frame)
             # If delay or loss let nothing through, the station has nothing to answer: do not wait.
@@ -97,6 +100,32 @@ class Server:
                 if not answered and time.monotonic() >= deadline_s:
                     self._send(frame)
                     deadline_s = time.monotonic() + _ANSWER_TIMEOUT_S
+
+    def _advance(self) -> None:
+        """One frame; what begins or ends in it is reported."""
+        simulation = self._simulation
+        simulation.advance()
+        simulation.send()
+        if (marks := simulation.faults.marks(simulation.time_s)) != self._marks:
+            self._marks = marks
+            self._report()
+
+    def _obey(self, datagram: bytes, sender: Address) -> None:
+        order = read_datagram(datagram, FaultOrder)
+        if order is None:
+            self._simulation.inputs.counts.bad_datagrams += 1
+            return
+        self._asker = sender
+        self._simulation.obey(order)
+        self._report()
+
+    def _report(self) -> None:
+        if self._asker is None:
+            return
+        try:
+            self._socket.sendto(fault_datagram(self._simulation.faults.report(self._simulation.time_s)), self._asker)
+        except OSError:
+            self.send_failures += 1
 
     def _send(self, datagrams: list[bytes]) -> None:
         for datagram in datagrams:
@@ -114,12 +143,15 @@ class Server:
         commands = 0
         for _ in range(_AT_ONCE if ready else 0):
             try:
-                datagram = self._socket.recv(_LONGEST_DATAGRAM)
+                datagram, sender = self._socket.recvfrom(_LONGEST_DATAGRAM)
             except BlockingIOError:
                 break
             except OSError:
                 # An ICMP error for a datagram that we sent: the station does not listen.
                 self.send_failures += 1
                 continue
-            commands += self._simulation.receive(datagram)
+            if datagram.startswith(MAGIC):
+                self._obey(datagram, sender)
+            else:
+                commands += self._simulation.receive(datagram)
         return commands

@@ -8,8 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Final
 
+from epf_gcs.contract.simulator_faults import FaultOrder, WindState
 from epf_gcs.simulator.airframe import STEP_HZ, Airframe, AirframeError
 from epf_gcs.simulator.crash import crash_cause
+from epf_gcs.simulator.faults import SimulatorFaults, weather
 from epf_gcs.simulator.inputs import Command, Inputs
 from epf_gcs.simulator.link import Link, LinkQuality
 from epf_gcs.simulator.models import AIRCRAFT
@@ -51,6 +53,11 @@ class Simulation:
         self.uplink: Link[Command] = Link(options.link, f"{seed} to the simulator")
         self.downlink: Link[bytes] = Link(options.link, f"{seed} from the simulator")
         self._writer = RowWriter(options.profile)
+        situation = options.situation
+        wind = WindState(situation.wind.from_deg, situation.wind.speed_kt, situation.turbulence.value)
+        self.faults = SimulatorFaults(seed, 1.0 / options.rate_hz, wind)
+        self._pause: str | None = None
+        self._newest: list[bytes] = []
         self._frames = 0
         self.crashes = 0
         self._craft = self._begin()
@@ -60,6 +67,19 @@ class Simulation:
     def time_s(self) -> float:
         """Simulated time since the start."""
         return self._frames / self._options.rate_hz
+
+    @property
+    def next_due_s(self) -> float | None:
+        """When the next datagram reaches the station; None when none is under way."""
+        due = [due_s for due_s in (self.downlink.next_due_s, self.faults.next_due_s) if due_s is not None]
+        return min(due, default=None)
+
+    def obey(self, order: FaultOrder) -> None:
+        """Let something go wrong, or the wind change, from the next frame on."""
+        before = self.faults.wind
+        self.faults.obey(order, self.time_s)
+        if self.faults.wind != before:
+            self._craft.blow(*weather(self.faults.wind))
 
     def receive(self, datagram: bytes) -> bool:
         """Put a datagram from the station on the link; returns whether it is a command."""
@@ -71,13 +91,18 @@ class Simulation:
 
     def advance(self) -> None:
         """Advance by one frame, with the commands that have arrived."""
-        for command in self.uplink.due(self.time_s):
+        for command in self.faults.to_simulator(self.time_s, self.uplink.due(self.time_s)):
             self.inputs.apply(command)
         rate_hz = self._options.rate_hz
         # At rates that do not divide 200 Hz the frames have unequal numbers of steps, but the right mean.
         steps = (self._frames + 1) * STEP_HZ // rate_hz - self._frames * STEP_HZ // rate_hz
         self._frames += 1
-        self._craft.command(self.inputs.controls())
+        self.faults.tidy(self.time_s)
+        self._pause = self.faults.pause(self.time_s)
+        if self._pause is not None:
+            return
+        self._craft.gust(self.faults.gust_kt(self.time_s))
+        self._craft.command(self.faults.moved(self.time_s, self.inputs.controls()))
         try:
             self._craft.step(steps)
             self.state = self._craft.state()
@@ -92,12 +117,16 @@ class Simulation:
 
     def send(self) -> None:
         """Put this instant's rows on the link to the station."""
-        for datagram in self._datagrams(self.state):
+        if self._pause == "silent":
+            return
+        if self._pause is None:
+            self._newest = self._datagrams(self.faults.measured(self.time_s, self.state))
+        for datagram in self._newest:
             self.downlink.send(datagram, self.time_s)
 
     def arrived(self, time_s: float) -> list[bytes]:
         """The datagrams that reach the station by `time_s`."""
-        return self.downlink.due(time_s)
+        return self.faults.to_station(time_s, self.downlink.due(time_s))
 
     def _datagrams(self, state: FlightState) -> list[bytes]:
         rows = self._writer.rows(state, self.inputs.stick())
@@ -107,4 +136,6 @@ class Simulation:
 
     def _begin(self) -> Airframe:
         options = self._options
-        return Airframe(AIRCRAFT[options.aircraft], options.situation, self._trim.motion, self._trim.controls)
+        wind, turbulence = weather(self.faults.wind)
+        situation = replace(options.situation, wind=wind, turbulence=turbulence)
+        return Airframe(AIRCRAFT[options.aircraft], situation, self._trim.motion, self._trim.controls)

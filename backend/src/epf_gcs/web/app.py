@@ -30,6 +30,7 @@ from epf_gcs.web.interface.checklist import routes as checklist
 from epf_gcs.web.interface.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.interface.commands import routes as commands
 from epf_gcs.web.interface.earth import routes as earth
+from epf_gcs.web.interface.faults import routes as faults
 from epf_gcs.web.interface.fields import routes as fields
 from epf_gcs.web.interface.flights import data_routes as flight_data
 from epf_gcs.web.interface.flights import export_routes as flight_exports
@@ -76,6 +77,7 @@ def _interface() -> APIRouter:
         state,
         links,
         commands,
+        faults,
         ahrs_test,
         parameters,
         mission_files,

@@ -6,7 +6,7 @@ import { MessageLine } from "../../ui/MessageLine";
 import { useDialogs } from "../views/useDialogs";
 
 /** The newest message, with its time, and the way to all of them. */
-export function LastMessage({ className }: { readonly className?: string }) {
+export function LastMessage() {
   const { t } = useTranslation();
   const { messages } = usePage();
   const sentence = useSentence();
@@ -17,7 +17,6 @@ export function LastMessage({ className }: { readonly className?: string }) {
     <MessageLine
       action={{ label: t("status.openLog"), onPress: () => open("log") }}
       label={t("status.message")}
-      className={className}
       text={last === null ? t("status.noMessage") : sentence(last)}
       level={last?.level}
       time={

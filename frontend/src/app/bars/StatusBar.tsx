@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { FaultsNow } from "../../features/faults/FaultsNow";
 import { formatAge, formatBytes } from "../../lib/format";
 import { PageContext, useConnection, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
@@ -14,8 +15,19 @@ export function StatusBar() {
   return (
     <footer className="app-status">
       <LastMessage />
+      <FaultsNow />
       <LinkFigures />
     </footer>
+  );
+}
+
+/** Of a small window: the last message, and what goes wrong in the simulator. */
+export function MessageRow() {
+  return (
+    <div className="app-last">
+      <LastMessage />
+      <FaultsNow />
+    </div>
   );
 }
 

@@ -100,6 +100,22 @@ describe("an event", () => {
     expect(said({ kind: "stick", name: "simulator" }).key).toBe("flightEvent.stickSimulator");
   });
 
+  test("of a fault in the simulator says where it is, what it does, and whether it ended; of wind what blows", () => {
+    const words = { place: "@faultPlace.gps", kind: "@faultKind.drift" };
+    const fault = { kind: "fault", name: "gps" } as const;
+    expect(said({ ...fault, data: { kind: "drift", state: "begun" } })).toEqual({
+      key: "flightEvent.faultBegun",
+      params: words,
+    });
+    expect(said({ ...fault, data: { kind: "drift", state: "ended" } })).toEqual({
+      key: "flightEvent.faultEnded",
+      params: words,
+    });
+    expect(groupOf({ kind: "fault" })).toBe("trouble");
+    const wind = { from_deg: 250, speed_kt: 15, turbulence: "light" };
+    expect(said({ kind: "wind", data: wind }).params).toEqual({ ...wind, turbulence: "@turbulence.light" });
+  });
+
   test("of a limit says its value before and after, and of a silence whose it is", () => {
     expect(said({ kind: "limits", name: "battery_low_v", data: { before: 10, after: 11.5 } }).params).toEqual(
       {

@@ -21,11 +21,12 @@ const GROUP_OF: Readonly<Record<string, EventGroup>> = {
   control: "mode",
   jump: "mode",
   stick: "mode",
+  wind: "mode",
   waypoint: "waypoint",
   mark: "mark",
 };
 
-/** What is of no other group went wrong: gaps, damage, lines and recordings that were lost, restarts. */
+/** What is of no other group went wrong: gaps, damage, lines and recordings that were lost, restarts, faults. */
 export function groupOf({ kind }: Pick<FlightEvent, "kind">): EventGroup {
   return GROUP_OF[kind] ?? "trouble";
 }
@@ -77,6 +78,17 @@ export function eventMessage(event: FlightEvent): Message {
       return info("flightEvent.jump", { distance_m: numberOf(data["distance_m"]) });
     case "stick":
       return stickMessage(event);
+    case "fault":
+      return info(data["state"] === "ended" ? "flightEvent.faultEnded" : "flightEvent.faultBegun", {
+        place: `@faultPlace.${name}`,
+        kind: `@faultKind.${textOf(data["kind"], "")}`,
+      });
+    case "wind":
+      return info("flightEvent.wind", {
+        from_deg: numberOf(data["from_deg"]),
+        speed_kt: numberOf(data["speed_kt"]),
+        turbulence: `@turbulence.${textOf(data["turbulence"], "none")}`,
+      });
     case "limits":
       return info("flightEvent.limits", {
         name: `@alarmThreshold.${name}`,

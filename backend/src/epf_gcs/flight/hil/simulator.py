@@ -107,6 +107,12 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
         return None if link is None else link.pinned
 
     @property
+    def orders_to(self) -> tuple[str, int] | None:
+        """Where an embedded simulator takes orders; None until its rows have come."""
+        address = self.address
+        return None if address is None or self.pinned is None else (address.send_host, address.send_port)
+
+    @property
     def state(self) -> State:
         """closed; opening: listening and nothing heard yet; open: it sends; lost: it stopped, or the port is taken."""
         if self.address is None:

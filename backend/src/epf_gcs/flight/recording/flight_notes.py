@@ -16,12 +16,14 @@ from epf_gcs.contract.events import (
     CommandEvent,
     ConsoleEvent,
     Event,
+    FaultEvent,
     LinkEvent,
     MissionEvent,
     OwnGainsEvent,
     ParameterEvent,
     SimulatorJumpEvent,
     StickEvent,
+    WindEvent,
 )
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
@@ -33,11 +35,13 @@ _NOTED: Final = (
     AlarmEvent,
     BoardRestartEvent,
     CommandEvent,
+    FaultEvent,
     LinkEvent,
     MissionEvent,
     ParameterEvent,
     SimulatorJumpEvent,
     StickEvent,
+    WindEvent,
 )
 
 

@@ -10,6 +10,7 @@ from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
+from epf_gcs.flight.hil.simulator_faults import SimulatorFaultControl
 from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.state.line_rates import LineRates
@@ -32,6 +33,7 @@ class StateSources:
     supervisor: Supervisor
     lines: Lines
     simulator: Simulator
+    faults: SimulatorFaultControl
     hil: Hil
     rates: LineRates
     ahrs_test: AhrsTestRun

@@ -85,6 +85,7 @@ def _simulator(parts: StateSources) -> SimulatorStatus:
         missing_rows=hil.missing_rows if simulator.state == "open" else [],
         unusable=[value.state for value in hil.unusable] if simulator.state == "open" else [],
         paused=hil.is_paused,
+        faults=parts.faults.flown,
         advice=_advice(parts),
         datagrams_received=simulator.datagrams,
         datagrams_dropped=sum(simulator.dropped.values()),

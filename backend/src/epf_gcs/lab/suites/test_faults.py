@@ -8,8 +8,8 @@ from typing import Final, NamedTuple
 
 import pytest
 
+from epf_gcs.contract.simulator_faults import KINDS
 from epf_gcs.lab.bounds import Bounds
-from epf_gcs.lab.faults import KINDS
 from epf_gcs.lab.plugin import Lab
 from epf_gcs.lab.routes import FLIGHT_PLAN, HIL_PLAN, Route
 from epf_gcs.lab.suites.places import CRUISE_FT, CRUISE_KT, waypoint
@@ -47,6 +47,7 @@ _HOLDS: Final[dict[str, Holds]] = {
     "aileron.jammed": Holds(60.0, 8.0, 30.0),
     "simulator.pause": Holds(40.0, 6.0, 12.0, "+20"),
     "simulator.silent": Holds(40.0, 6.0, 12.0, "+3"),
+    "wind.gust": Holds(40.0, 14.0, 12.0),
     "line.cut": Holds(60.0, 8.0, 25.0, "+1"),
 }
 # Of the real aircraft's table: surfaces neutral and no throttle while rates or attitude are unknown.

@@ -57,6 +57,12 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("POST", "/commands/{name}"): _command("command"),
     ("GET", "/hil"): _SEES,
     ("PUT", "/hil"): _command("hil"),
+    ("GET", "/faults"): _SEES,
+    # An instructor's, who need not have control: a pupil flies.
+    ("POST", "/faults"): Entry(_owner, deed="faults"),
+    ("DELETE", "/faults"): Entry(_owner, deed="faults"),
+    ("DELETE", "/faults/{fault_id}"): Entry(_owner, deed="faults"),
+    ("PUT", "/faults/wind"): Entry(_owner, deed="faults"),
     ("POST", "/console"): _command("console"),
     ("POST", "/ahrs-test"): _command("ahrs_test"),
     ("DELETE", "/ahrs-test"): _command("ahrs_test"),

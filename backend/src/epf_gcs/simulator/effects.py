@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Sequence
-from typing import Final
+from typing import Final, Generic, TypeVar
 
+from epf_gcs.contract.simulator_faults import Fault
 from epf_gcs.earth import M_PER_DEG
-from epf_gcs.lab.faults import Fault
 from epf_gcs.simulator.link import Link, LinkQuality
 from epf_gcs.simulator.state import Controls
 from epf_gcs.units import FT_MIN_PER_FT_S
+
+T = TypeVar("T")
 
 # What differs by less is rounding.
 _SHOWS: Final = 1e-9
@@ -127,7 +129,7 @@ class ServoEffect(Effect):
         super().__init__(fault, seed)
         self._place = SERVOS[fault.place]
         self._period_s = period_s
-        self._at = 0.0
+        self._at: float | None = None
         self._was_on = False
 
     def change(self, time_s: float, wanted: Controls) -> Controls:
@@ -137,19 +139,19 @@ class ServoEffect(Effect):
         if not self.fault.is_on(time_s):
             self._at, self._was_on = asked, False
             return wanted
-        self._at = values[self._place] = self._moved(asked)
+        self._at = values[self._place] = self._moved(asked, asked if self._at is None else self._at)
         self._was_on = True
         self.show(self._at - asked)
         return Controls(*values)
 
-    def _moved(self, asked: float) -> float:
+    def _moved(self, asked: float, at: float) -> float:
         amount = self.fault.amount
         match self.fault.kind:
             case "jammed":
-                return self._at if self._was_on else max(-1.0, min(1.0, self._at + amount))
+                return at if self._was_on else max(-1.0, min(1.0, at + amount))
             case "slow":
                 most = amount * self._period_s
-                return self._at + max(-most, min(most, asked - self._at))
+                return at + max(-most, min(most, asked - at))
             case "weak":
                 return amount * asked
             case "reversed":
@@ -164,31 +166,19 @@ class LineEffect(Effect):
     def __init__(self, fault: Fault, seed: int) -> None:
         super().__init__(fault, seed)
         amount, kind = fault.amount, fault.kind
-        self._quality = LinkQuality(
+        self._seed = seed
+        self.quality = LinkQuality(
             delay_ms=amount if kind == "delay" else 0.0,
             jitter_ms=amount if kind == "jitter" else 0.0,
             loss=1.0 if kind == "cut" else amount if kind == "loss" else 0.0,
         )
-        self.to_board = self._direction(f"{seed} {fault} to")
-        self.to_station = self._direction(f"{seed} {fault} from")
 
-    def _direction(self, seed: str) -> Callable[[float, list[bytes]], list[bytes]]:
-        link: Link[bytes] = Link(self._quality, seed)
+    def direction(self, name: str, damaged: Callable[[T], T]) -> Direction[T]:
+        """The way "to" or "from" the board; `damaged` gives what is left of a frame."""
+        return Direction(self, f"{self._seed} {self.fault} {name}", damaged)
 
-        def carry(time_s: float, frames: list[bytes]) -> list[bytes]:
-            """What arrives now; the end of the fault lets go what is still under way."""
-            if not self.fault.is_on(time_s):
-                return link.due(math.inf) + frames
-            for frame in frames:
-                link.send(self._damaged(frame), time_s)
-            due = link.due(time_s)
-            if self.fault.kind != "flipped" and due != frames:
-                self.show()
-            return due
-
-        return carry
-
-    def _damaged(self, frame: bytes) -> bytes:
+    def flipped(self, frame: bytes) -> bytes:
+        """The frame as it arrives, with a bit flipped if that is the fault."""
         if self.fault.kind != "flipped" or self.dice.random() >= self.fault.amount:
             return frame
         bit = self.dice.randrange(8 * len(frame))
@@ -196,6 +186,45 @@ class LineEffect(Effect):
         flipped[bit // 8] ^= 1 << bit % 8
         self.show()
         return bytes(flipped)
+
+
+class Direction(Generic[T]):
+    """One direction of a line with a fault."""
+
+    def __init__(self, effect: LineEffect, seed: str, damaged: Callable[[T], T]) -> None:
+        self._effect = effect
+        self._link: Link[T] = Link(effect.quality, seed)
+        self._damaged = damaged
+
+    @property
+    def next_due_s(self) -> float | None:
+        """When the next frame arrives; None when none is under way."""
+        return self._link.next_due_s
+
+    def carry(self, time_s: float, frames: list[T]) -> list[T]:
+        """What arrives now; the end of the fault lets go what is still under way."""
+        effect, link = self._effect, self._link
+        if not effect.fault.is_on(time_s):
+            return link.due(math.inf) + frames
+        for frame in frames:
+            link.send(self._damaged(frame), time_s)
+        due = link.due(time_s)
+        if effect.fault.kind != "flipped" and due != frames:
+            effect.show()
+        return due
+
+
+class GustEffect(Effect):
+    """On the air: a gust of 1-cosine over the fault's length, along the steady wind, or from north in calm."""
+
+    def more_kt(self, time_s: float) -> float:
+        """By how much it blows more than the steady wind now."""
+        if not self.fault.is_on(time_s):
+            return 0.0
+        share = (time_s - self.fault.start_s) / self.fault.length
+        blows_kt = self.fault.amount * 0.5 * (1.0 - math.cos(2.0 * math.pi * share))
+        self.show(blows_kt)
+        return blows_kt
 
 
 def _size(value: float) -> float:
