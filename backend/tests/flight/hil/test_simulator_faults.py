@@ -183,6 +183,13 @@ class Deaf:
         return faults.flown is not None
 
 
+class Place:
+    """Where orders go, as the test says."""
+
+    def __init__(self, orders_to: tuple[str, int]) -> None:
+        self.orders_to = orders_to
+
+
 class Outlet:
     def __init__(self) -> None:
         self.events: list[Event] = []
@@ -196,7 +203,7 @@ class Moment:
         return 1000.0
 
 
-def control(place: Deaf, known: list[Mapping[str, object]]) -> SimulatorFaultControl:
+def control(place: Deaf | Place, known: list[Mapping[str, object]]) -> SimulatorFaultControl:
     return SimulatorFaultControl(place, Outlet(), Moment(), known.append, lambda: None)  # type: ignore[arg-type]
 
 
@@ -230,6 +237,20 @@ async def test_the_recording_knows_what_is_flown_and_a_replay_reads_it_back() ->
         assert noted_faults(known[-1]) == now
         faults._hang_up()
         assert noted_faults(known[-1]) is None
+
+
+async def test_an_address_that_cannot_be_reached_is_tried_again() -> None:
+    deaf = Deaf(lambda order: FaultReport(order.serial, WindState(), ()))
+    reachable = deaf.orders_to
+    place = Place(("no.such.host.invalid", 49000))
+    faults = control(place, [])
+    with deaf.socket:
+        await faults._look()
+        assert faults.flown is None
+        place.orders_to = reachable
+        await faults._look()
+        await eventually_async(lambda: deaf.has_reported_to(faults), "it answers")
+        faults._hang_up()
 
 
 @pytest.mark.parametrize("content", [{}, {"flown": 3}, {"flown": {"faults": [{"id": 1}], "wind": {}}}])

@@ -90,6 +90,10 @@ A_VIEWER_MAY_SEND = {
     ("POST", "/api/v1/flights/{flight_id}/marks"),
 }
 FOR_OWNERS = {
+    ("POST", "/api/v1/faults"),
+    ("DELETE", "/api/v1/faults"),
+    ("DELETE", "/api/v1/faults/{fault_id}"),
+    ("PUT", "/api/v1/faults/wind"),
     ("POST", "/api/v1/backups"),
     ("PUT", "/api/v1/flights/policy"),
     ("DELETE", "/api/v1/flights/{flight_id}"),

@@ -172,8 +172,12 @@ class SimulatorFaultControl:
 
     async def _call(self, address: tuple[str, int]) -> None:
         loop = asyncio.get_running_loop()
-        self._transport, _ = await loop.create_datagram_endpoint(lambda: _Wire(self._on_datagram), remote_addr=address)
-        self._address = address
+        # An address that cannot be reached now is tried again at the next look.
+        with contextlib.suppress(OSError):
+            self._transport, _ = await loop.create_datagram_endpoint(
+                lambda: _Wire(self._on_datagram), remote_addr=address
+            )
+            self._address = address
 
     def _hang_up(self) -> None:
         if self._transport is not None:
