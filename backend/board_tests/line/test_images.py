@@ -19,6 +19,7 @@ from board_tests.line.others import (
     original_commands_are_answered_by_no_extension,
 )
 from board_tests.line.station import LEVEL_FLIGHT, Station
+from board_tests.line.test_own_gains import LAW, LINE, row_of, value_of
 from epf_gcs.codec.messages_gen import COMMANDS
 
 DONE, BAD_VALUE = 0, 1
@@ -64,6 +65,16 @@ def test_the_image_opens_binary_mode_and_acknowledges(plugged: Images) -> None:
     for stream in ("ahrs", "inertial", "analog", "gps", "servos_in", "statistics"):
         station.next(stream)
     assert station.failed == 0
+
+
+def test_the_image_describes_itself_and_takes_its_law(plugged: Images) -> None:
+    station = plugged()
+    station.open_binary()
+    station.extend()
+    assert station.ask("describe") == DONE
+    assert row_of(station, LAW).values[8].rstrip(b"\0") == b"guidance_law"
+    assert station.ask("own_gain_set", LAW, LINE) == DONE
+    assert value_of(station, LAW) == LINE
 
 
 def test_the_image_answers_every_hil_frame(plugged: Images) -> None:

@@ -27,7 +27,7 @@ void board_init(board_t* board, const board_config_t* config)
 {
     memset(board, 0, sizeof *board);
     board->is_legacy = config->legacy;
-    board->description_crc32 = description_crc32();
+    board->table_crc32 = description_crc32();
     board->line = (report_line_t){.send = config->send, .context = config->send_context};
     telemetry_init(&board->schedule);
     tuning_init(&board->tuning);

@@ -30,7 +30,7 @@ command_result_t run_describe(void* context, int32_t argument, const uint8_t* pa
     (void)argument;
     (void)payload;
     const board_t* const board = board_of(context);
-    report_description(&board->line, description_count(), board->description_crc32);
+    report_description(&board->line, description_count(), board->table_crc32);
     return command_done;
 }
 

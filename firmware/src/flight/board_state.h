@@ -31,8 +31,8 @@ typedef struct
 
 typedef struct
 {
-    bool is_legacy;             ///< like a deployed board: no extension exists
-    uint32_t description_crc32; ///< of the rows that the board describes itself by
+    bool is_legacy;       ///< like a deployed board: no extension exists
+    uint32_t table_crc32; ///< of the rows that the board describes itself by
     measurements_t measured;
     tuning_t tuning;
     board_plans_t plans;
