@@ -18,7 +18,7 @@ from epf_gcs.contract.simulator_faults import WindState
 from epf_gcs.web.stream.messages import TOPICS
 from tests.support.callers import person, program, strict_gateway
 from tests.support.embedded import embedded_simulator
-from tests.support.fake_board import FakeBoard
+from tests.support.fake_board import FakeBoard, own_row
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.ports import free_udp_port
 from tests.support.waiting import DEADLINE_S
@@ -86,6 +86,22 @@ def test_gains_and_plans_go_to_the_board_and_come_back(gateway: Gateway, board: 
             assert (await station.undo_gains())["k_pitch"].value == board.gains["k_pitch"] == 2.0
             assert [entry.kind for entry in (await station.journal()).entries] == ["undo", "write"]
             assert await station.send_plan("hil", GANDO) == await station.plan("hil") == GANDO
+
+    asyncio.run(change())
+
+
+def test_the_boards_own_gains_come_with_their_table_and_are_written_like_the_others(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    board.describe(own_row(0))
+
+    async def change() -> None:
+        async for station in opened(gateway, board):
+            await station.load_gains()
+            assert (await station.own_gains()).table.gains[0].unit == "1/rad"
+            await station.set_gains({"line_k_bank": 4.0})
+            held = (await station.own_gains()).values["line_k_bank"]
+            assert (held.value, held.state) == (4.0, "confirmed")
 
     asyncio.run(change())
 

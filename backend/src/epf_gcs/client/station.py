@@ -23,6 +23,7 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.answers import AlarmBook, CommandOutcome, LinkResult, ParameterJournal, ParameterState
 from epf_gcs.contract.base import ControlSource, PlanName, RoleName, SimulatorProfile, SurfacePath
 from epf_gcs.contract.flights import Flight, Job
+from epf_gcs.contract.own_gains import OwnGains
 from epf_gcs.contract.simulator_faults import FaultKind, FaultPlace, FaultState, SimulatedFaults, TurbulenceName
 from epf_gcs.contract.status import HilState, Status
 
@@ -194,8 +195,12 @@ class Station:
     # ---- gains and plans -----------------------------------------------------------------------------
 
     async def gains(self) -> Mapping[str, ParameterState]:
-        """All gains by name; `value` is the board's, None until it was read."""
+        """The 17 gains by name; `value` is the board's, None until it was read."""
         return _by_name(await self._rest.json("GET", "/parameters"))
+
+    async def own_gains(self) -> OwnGains:
+        """Those that the board describes itself, as far as they are known; `set_gains` writes them too."""
+        return msgspec.convert((await self._rest.json("GET", "/parameters"))["own"], OwnGains)
 
     async def load_gains(self) -> Mapping[str, ParameterState]:
         """The same, read from the board now."""

@@ -2,7 +2,6 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatMoment } from "../../lib/moment";
-import type { ParameterName } from "../../protocol/messages.gen";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
@@ -11,34 +10,35 @@ import { Dialog } from "../../ui/Dialog";
 import { Notice } from "../../ui/Notice";
 import { type DiffLine, DiffTable } from "./DiffTable";
 import type { FileLine, ParameterFile } from "./parameterFile";
-import type { Changes } from "./parameterValues";
-import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
-import { INFO } from "./useFreshParameters";
+import type { Changes, GainInfo } from "./parameterValues";
+import { PARAMETER_REQUESTS, stateOf, useParameters } from "./parameterValues";
 
 /** What several gains shall become: their defaults, or what a file says. */
 export type Diff =
-  | { readonly kind: "reset"; readonly names: readonly ParameterName[] }
+  | { readonly kind: "reset"; readonly gains: readonly GainInfo[] }
   | { readonly kind: "file"; readonly name: string; readonly file: ParameterFile };
 
 /** Shows what would change, line by line, and writes the ticked lines in one step; then what became of each. */
 export function DiffDialog({ diff, onClose }: { diff: Diff; onClose: () => void }) {
   const { t } = useTranslation();
   const parameters = usePart(PARAMETER_REQUESTS);
-  const held = useParameters((values) => values.held);
+  const values = useParameters((all) => all);
   const blocked = useBoardBlocked();
   const sentence = useSentence();
   const [lines] = useState(() => linesOf(diff));
-  const differing = lines.filter(({ name, wanted }) => name !== null && wanted !== held[name].value);
+  const differing = lines.filter(
+    ({ name, wanted }) => name !== null && wanted !== stateOf(values, name).value,
+  );
   // A reset was asked for by name; of a file's lines each is chosen by the person.
-  const [ticked, setTicked] = useState<ReadonlySet<ParameterName>>(
+  const [ticked, setTicked] = useState<ReadonlySet<string>>(
     () => new Set(diff.kind === "reset" ? namesOf(differing) : []),
   );
-  const [written, setWritten] = useState<ReadonlySet<ParameterName> | null>(null);
+  const [written, setWritten] = useState<ReadonlySet<string> | null>(null);
   const [isWriting, setWriting] = useState(false);
   const [failure, setFailure] = useState<Message | null>(null);
 
   async function write(): Promise<void> {
-    const changes: Partial<Record<ParameterName, number>> = {};
+    const changes: Partial<Record<string, number>> = {};
     for (const { name, wanted } of lines) {
       if (name !== null && wanted !== null && ticked.has(name)) {
         changes[name] = wanted;
@@ -105,9 +105,9 @@ export function DiffDialog({ diff, onClose }: { diff: Diff; onClose: () => void 
     if (diff.kind === "file") {
       return t("paramFile.title", { file: diff.name });
     }
-    const [only] = diff.names;
-    return diff.names.length === 1 && only !== undefined
-      ? t("params.resetOne", { name: only })
+    const [only] = diff.gains;
+    return diff.gains.length === 1 && only !== undefined
+      ? t("params.resetOne", { name: only.name })
       : t("paramDiff.resetAll");
   }
 }
@@ -145,12 +145,12 @@ function FileNotes({ file }: { file: ParameterFile }) {
 
 function linesOf(diff: Diff): readonly DiffLine[] {
   return diff.kind === "reset"
-    ? diff.names.map((name) => ({
+    ? diff.gains.map(({ name, default: standard }) => ({
         key: name,
         name,
         title: name,
-        text: String(INFO[name].default),
-        wanted: INFO[name].default,
+        text: String(standard),
+        wanted: standard,
         fault: null,
       }))
     : diff.file.lines.map(fileLine);
@@ -162,6 +162,6 @@ function fileLine(line: FileLine, index: number): DiffLine {
   return { key: `${index}`, name, title: line.name, text: line.text, wanted, fault: line.fault };
 }
 
-function namesOf(lines: readonly DiffLine[]): ParameterName[] {
+function namesOf(lines: readonly DiffLine[]): string[] {
   return lines.flatMap(({ name }) => (name === null ? [] : [name]));
 }

@@ -1,14 +1,13 @@
 import { useTranslation } from "react-i18next";
-import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import { StateMark } from "../../ui/StateMark";
 import type { CommandState } from "../../ui/words";
 import type { ParameterFault } from "./parameterFile";
-import { useParameters } from "./parameterValues";
+import { gainsOf, stateOf, useParameters } from "./parameterValues";
 
 /** One line of a change of several gains. `name` is null where it cannot be written, and `fault` says why. */
 export interface DiffLine {
   readonly key: string;
-  readonly name: ParameterName | null;
+  readonly name: string | null;
   /** The name as it was given. */
   readonly title: string;
   /** The value as it was given. */
@@ -19,11 +18,11 @@ export interface DiffLine {
 
 interface Props {
   lines: readonly DiffLine[];
-  ticked: ReadonlySet<ParameterName>;
+  ticked: ReadonlySet<string>;
   /** What was written; null before. */
-  written: ReadonlySet<ParameterName> | null;
+  written: ReadonlySet<string> | null;
   isWriting: boolean;
-  onTick: (name: ParameterName, isTicked: boolean) => void;
+  onTick: (name: string, isTicked: boolean) => void;
 }
 
 /** The lines with what the board has now, a tick for each that would change, and what became of it. */
@@ -64,12 +63,13 @@ interface LineProps {
   canTick: boolean;
   isWritten: boolean;
   isWriting: boolean;
-  onTick: (name: ParameterName, isTicked: boolean) => void;
+  onTick: (name: string, isTicked: boolean) => void;
 }
 
 function Line({ line, isTicked, canTick, isWritten, isWriting, onTick }: LineProps) {
   const { t } = useTranslation();
-  const held = useParameters((values) => (line.name === null ? null : values.held[line.name]));
+  const values = useParameters((all) => all);
+  const held = line.name === null ? null : stateOf(values, line.name);
   const { name } = line;
   const isSame = held !== null && held.value === line.wanted;
   const state = isWritten ? resultOf(held?.state, isWriting) : "idle";
@@ -100,7 +100,7 @@ function Line({ line, isTicked, canTick, isWritten, isWriting, onTick }: LinePro
 
   function resultText(): string {
     if (line.fault !== null) {
-      const info = PARAMETERS.find((known) => known.name === line.title);
+      const info = gainsOf(values).find((known) => known.name === line.title);
       return t(`paramFault.${line.fault}`, {
         text: line.text,
         minimum: info?.minimum ?? "",

@@ -1,4 +1,4 @@
-import { screen, within } from "@testing-library/react";
+import { act, screen, waitFor, within } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
 import type { OwnGainDefinition, OwnGainState, OwnGains } from "../../protocol/guards.gen";
 import { aStatus } from "../../test/aStatus";
@@ -146,6 +146,33 @@ describe("the gains that a board describes itself", () => {
     const data = { table: null, values: { line_k_bank: held(5) } };
     station.deliver({ type: "event", event: "own_gains", t_s: 1, data });
     expect(screen.queryByText(/Guardado en la tarjeta/)).toBeNull();
+  });
+
+  test("are in a saved file, and taken out of one where the board has them", async () => {
+    await open(described({ bias: held(1), guidance_law: held(1) }));
+    await user.click(screen.getByRole("button", { name: "Guardar en archivo" }));
+    const text = JSON.parse((await station.saved[0]?.content.text()) ?? "");
+    expect(text.parameters).toHaveLength(20);
+    expect(text.parameters).toContainEqual({ name: "guidance_law", value: 1 });
+    const lines = '{"name":"line_k_bank","value":4},{"name":"bias","value":99}';
+    const file = `{"format":"epf-gcs-parameters","version":1,"parameters":[${lines}]}`;
+    const input = document.querySelector<HTMLInputElement>('.params-tools input[type="file"]');
+    if (input === null) throw new Error("there is no field for a file");
+    await act(() => user.upload(input, new File([file], "gains.json", { type: "application/json" })));
+    await waitFor(() => screen.getByRole("dialog"));
+    const dialog = screen.getByRole("dialog");
+    expect(dialog.textContent).toContain("99 está fuera de 0.1 … 10");
+    await user.click(within(dialog).getByRole("checkbox", { name: "Escribir line_k_bank" }));
+    await user.click(within(dialog).getByRole("button", { name: "Escribir 1 en la placa" }));
+    expect(writes()).toEqual([{ line_k_bank: 4 }]);
+  });
+
+  test("go to their defaults with the others, but for a choice", async () => {
+    await open(described({ bias: held(3), guidance_law: held(1), line_k_bank: held(4) }));
+    await user.click(screen.getByRole("button", { name: "Valores por defecto" }));
+    const dialog = await screen.findByRole("dialog");
+    await user.click(within(dialog).getByRole("button", { name: "Escribir 1 en la placa" }));
+    expect(writes()).toEqual([{ line_k_bank: 3 }]);
   });
 
   test("out of range are refused here", async () => {

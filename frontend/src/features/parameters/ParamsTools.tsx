@@ -3,7 +3,7 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../lib/moment";
 import type { ParameterMoves } from "../../protocol/contract";
-import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
+import { PARAMETERS } from "../../protocol/messages.gen";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
 import { useConnection, usePage, usePart } from "../../store/hooks";
@@ -13,7 +13,7 @@ import { Notice } from "../../ui/Notice";
 import type { Diff } from "./DiffDialog";
 import { type FileRefusal, readParameterFile, writeParameterFile } from "./parameterFile";
 import type { ParameterValues } from "./parameterValues";
-import { PARAMETER_REQUESTS, useParameters } from "./parameterValues";
+import { gainsOf, PARAMETER_REQUESTS, stateOf, useParameters } from "./parameterValues";
 
 interface FileProblem {
   readonly file: string;
@@ -24,16 +24,25 @@ interface FileProblem {
 export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
   const { t } = useTranslation();
   const parameters = usePart(PARAMETER_REQUESTS);
-  const held = useParameters((values) => values.held);
+  const values = useParameters((all) => all);
   const load = useAsked("parameters.load");
   const blocked = useBoardBlocked();
   const [refused, setRefused] = useState<FileProblem | null>(null);
-  const isKnown = PARAMETERS.every(({ name }) => held[name].value !== null);
+  const gains = gainsOf(values);
+  const isKnown = PARAMETERS.every(({ name }) => values.held[name].value !== null);
+  // A file has all gains, so those of the board's own have to be known too.
+  const incomplete = valuesOf(values) === null ? t("params.loadFirst") : undefined;
   const unknown = isKnown ? undefined : t("params.loadFirst");
-  const areDefaults = PARAMETERS.every((info) => held[info.name].value === info.default);
+  // A choice is made by itself, for it may have to ask first.
+  const choices = values.own.table.gains.filter((gain) => gain.choices.length > 0).map(({ name }) => name);
+  const resettable = gains.filter(({ name }) => !choices.includes(name));
+  const areDefaults = resettable.every((gain) => stateOf(values, gain.name).value === gain.default);
 
   async function open(file: File): Promise<void> {
-    const read = await textOf(file).then(readParameterFile, () => "unreadable" as const);
+    const read = await textOf(file).then(
+      (text) => readParameterFile(text, gains),
+      () => "unreadable" as const,
+    );
     if (typeof read === "string") {
       setRefused({ file: file.name, why: read });
     } else {
@@ -60,7 +69,7 @@ export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
         <MoveButton kind="undo" />
         <MoveButton kind="redo" />
         <span className="params-gap" />
-        <SaveButton unknown={unknown} />
+        <SaveButton unknown={incomplete} />
         <FileButton
           accept=".json,application/json,.params,.param"
           onFile={(file) => void open(file)}
@@ -70,7 +79,7 @@ export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
           {t("params.openFile")}
         </FileButton>
         <Button
-          onPress={() => onDiff({ kind: "reset", names: PARAMETERS.map(({ name }) => name) })}
+          onPress={() => onDiff({ kind: "reset", gains: resettable })}
           disabledReason={blocked ?? unknown ?? (areDefaults ? t("paramDiff.allDefault") : undefined)}
           icon={<RotateCcw aria-hidden="true" size={14} />}
         >
@@ -158,8 +167,7 @@ function SaveButton({ unknown }: { unknown: string | undefined }) {
   const parameters = usePart(PARAMETER_REQUESTS);
 
   function save(): void {
-    const { held } = parameters.values.getState();
-    const values = valuesOf(held);
+    const values = valuesOf(parameters.values.getState());
     if (values === null) {
       return;
     }
@@ -178,16 +186,16 @@ function SaveButton({ unknown }: { unknown: string | undefined }) {
 }
 
 /** Every value, or null when one is not known: a file says what the board has, and nothing else. */
-function valuesOf(held: ParameterValues["held"]): Readonly<Record<ParameterName, number>> | null {
-  const values: Partial<Record<ParameterName, number>> = {};
-  for (const { name } of PARAMETERS) {
-    const { value } = held[name];
+function valuesOf(all: ParameterValues): ReadonlyMap<string, number> | null {
+  const values = new Map<string, number>();
+  for (const { name } of gainsOf(all)) {
+    const { value } = stateOf(all, name);
     if (value === null) {
       return null;
     }
-    values[name] = value;
+    values.set(name, value);
   }
-  return values as Record<ParameterName, number>;
+  return values;
 }
 
 /** A file's text, whole or not at all: what is not UTF-8 is not ours. */

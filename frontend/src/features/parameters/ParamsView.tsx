@@ -86,7 +86,7 @@ export function ParamsView() {
                 <ParameterRow
                   key={name}
                   name={name}
-                  onReset={() => setDiff({ kind: "reset", names: [name] })}
+                  onReset={() => setDiff({ kind: "reset", gains: [INFO[name]] })}
                 />
               ))}
             </Panel>
@@ -94,7 +94,7 @@ export function ParamsView() {
         })}
       </div>
       <OwnTableState />
-      <div className="params-groups">
+      <div className="params-own-groups">
         <OwnGains gains={ownShown} />
       </div>
       {shown.length + ownShown.length === 0 && <p className="params-none">{t("params.noneShown")}</p>}

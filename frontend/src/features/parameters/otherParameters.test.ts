@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { PARAMETERS } from "../../protocol/messages.gen";
 import { readParameterFile } from "./parameterFile";
 
 const QGC = [
@@ -13,7 +14,7 @@ const QGC = [
 
 describe("a .params file of QGroundControl", () => {
   test("gives the gains that exist here, and says which of its parameters do not", () => {
-    const file = readParameterFile(QGC);
+    const file = readParameterFile(QGC, PARAMETERS);
     expect(file).toMatchObject({
       lines: [{ name: "k_roll", value: 2.75, fault: null }],
       leftOut: ["RLL2SRV_TCONST", "WP_RADIUS"],
@@ -21,7 +22,7 @@ describe("a .params file of QGroundControl", () => {
   });
 
   test("without any of them is refused: nothing of it is meant for this board", () => {
-    expect(readParameterFile(QGC.replace("k_roll", "RLL_P"))).toBe("nothing_here");
+    expect(readParameterFile(QGC.replace("k_roll", "RLL_P"), PARAMETERS)).toBe("nothing_here");
   });
 
   test.each([
@@ -29,12 +30,12 @@ describe("a .params file of QGroundControl", () => {
     ["k_roll,1.2.3", "not_a_number"],
     ["k_div_velocidad,700.5", "not_whole"],
   ])("with %s says what is wrong with it", (line, fault) => {
-    expect(readParameterFile(`${line}\nWP_RADIUS,90`)).toMatchObject({ lines: [{ fault }] });
+    expect(readParameterFile(`${line}\nWP_RADIUS,90`, PARAMETERS)).toMatchObject({ lines: [{ fault }] });
   });
 
   test("that is cut or of another kind is refused whole", () => {
-    expect(readParameterFile("1\t1\tk_roll\n")).toBe("not_json");
-    expect(readParameterFile("k_roll,2\n<html>")).toBe("not_json");
-    expect(readParameterFile("")).toBe("not_json");
+    expect(readParameterFile("1\t1\tk_roll\n", PARAMETERS)).toBe("not_json");
+    expect(readParameterFile("k_roll,2\n<html>", PARAMETERS)).toBe("not_json");
+    expect(readParameterFile("", PARAMETERS)).toBe("not_json");
   });
 });

@@ -1,16 +1,13 @@
 import { describe, expect, test } from "vitest";
-import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
+import { PARAMETERS } from "../../protocol/messages.gen";
 import { type FileLine, type ParameterFile, readParameterFile, writeParameterFile } from "./parameterFile";
 
-const defaults = Object.fromEntries(PARAMETERS.map((one) => [one.name, one.default])) as Record<
-  ParameterName,
-  number
->;
+const defaults = new Map<string, number>(PARAMETERS.map((one) => [one.name, one.default]));
 const board = { name: "epf-board", version: "1.2.0" };
 const saved = new Date(Date.UTC(2026, 10, 21, 15, 0, 0));
 
 function opened(text: string): ParameterFile {
-  const file = readParameterFile(text);
+  const file = readParameterFile(text, PARAMETERS);
   if (typeof file === "string") {
     throw new Error(`refused as a whole: ${file}`);
   }
@@ -27,7 +24,7 @@ function fault(line: string): FileLine["fault"] {
 }
 
 test("what is saved is read back, with the board and the time", () => {
-  const file = opened(writeParameterFile({ ...defaults, k_roll: 2.75 }, board, saved));
+  const file = opened(writeParameterFile(new Map([...defaults, ["k_roll", 2.75]]), board, saved));
   expect(file.saved).toBe("2026-11-21T15:00:00.000Z");
   expect(file.board).toEqual(board);
   expect(file.missing).toEqual([]);
@@ -83,7 +80,7 @@ describe("a file is refused as a whole", () => {
     ["without lines", '{"format": "epf-gcs-parameters", "version": 1}', "not_parameters"],
     ["of a newer station", '{"format": "epf-gcs-parameters", "version": 2, "parameters": []}', "newer"],
   ])("when it is %s", (_, text, refusal) => {
-    expect(readParameterFile(text)).toBe(refusal);
+    expect(readParameterFile(text, PARAMETERS)).toBe(refusal);
   });
 });
 

@@ -1,6 +1,6 @@
 import { isNumber, isObject, isText } from "../../lib/check";
-import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
 import { type OtherLine, readOtherParameters } from "./otherParameters";
+import type { GainInfo } from "./parameterValues";
 
 const FORMAT = "epf-gcs-parameters";
 const VERSION = 1;
@@ -16,10 +16,10 @@ export type ParameterFault = "no_name" | "unknown" | "not_a_number" | "out_of_ra
 export type FileLine =
   | { readonly name: string; readonly text: string; readonly fault: ParameterFault; readonly parameter: null }
   | {
-      readonly name: ParameterName;
+      readonly name: string;
       readonly text: string;
       readonly fault: ParameterFault | null;
-      readonly parameter: ParameterInfo;
+      readonly parameter: GainInfo;
       readonly value: number | null;
     };
 
@@ -29,7 +29,7 @@ export interface ParameterFile {
   readonly board: BoardFirmware | null;
   readonly lines: readonly FileLine[];
   /** The parameters that it lacks. */
-  readonly missing: readonly ParameterName[];
+  readonly missing: readonly string[];
   /** Parameters of another autopilot, which do not exist here. */
   readonly leftOut: readonly string[];
 }
@@ -37,9 +37,9 @@ export interface ParameterFile {
 /** Why the whole file cannot be read. */
 export type FileRefusal = "not_json" | "not_parameters" | "newer" | "nothing_here";
 
-/** The text of a file with these values: a line each, in the order of the definition. */
+/** The text of a file with these values by name: a line each, in their order. */
 export function writeParameterFile(
-  values: Readonly<Record<ParameterName, number>>,
+  values: ReadonlyMap<string, number>,
   board: BoardFirmware | null,
   saved: Date,
 ): string {
@@ -48,17 +48,17 @@ export function writeParameterFile(
     version: VERSION,
     saved: saved.toISOString(),
     board,
-    parameters: PARAMETERS.map(({ name }) => ({ name, value: values[name] })),
+    parameters: [...values].map(([name, value]) => ({ name, value })),
   };
   return `${JSON.stringify(file, null, 2)}\n`;
 }
 
-/** The lines of a file, each with its fault if any; or why it is not a parameter file. */
-export function readParameterFile(text: string): ParameterFile | FileRefusal {
+/** The lines of a file, each with its fault if any; or why it is not a parameter file. `gains`: what the board has. */
+export function readParameterFile(text: string, gains: readonly GainInfo[]): ParameterFile | FileRefusal {
   const file = parse(text);
   if (file === undefined) {
     const others = readOtherParameters(text);
-    return others === null ? "not_json" : readOthers(others);
+    return others === null ? "not_json" : readOthers(others, gains);
   }
   if (!(isObject(file) && file["format"] === FORMAT && Array.isArray(file["parameters"]))) {
     return "not_parameters";
@@ -67,13 +67,13 @@ export function readParameterFile(text: string): ParameterFile | FileRefusal {
     return "newer";
   }
   const seen = new Set<string>();
-  const lines = file["parameters"].map((entry: unknown) => readLine(entry, seen));
+  const lines = file["parameters"].map((entry: unknown) => readLine(entry, seen, gains));
   const { saved, board } = file;
   return {
     saved: isText(saved) ? saved : null,
     board: isObject(board) ? { name: textOf(board["name"]), version: textOf(board["version"]) } : null,
     lines,
-    missing: missingOf(seen),
+    missing: missingOf(seen, gains),
     leftOut: [],
   };
 }
@@ -82,16 +82,16 @@ export function readParameterFile(text: string): ParameterFile | FileRefusal {
  * Gains by their own names; a parameter of another autopilot is none of them, however alike its name sounds: its unit
  * and its law are others.
  */
-function readOthers(others: readonly OtherLine[]): ParameterFile | FileRefusal {
-  const isKnown = (line: OtherLine): boolean => PARAMETERS.some(({ name }) => name === line.name);
+function readOthers(others: readonly OtherLine[], gains: readonly GainInfo[]): ParameterFile | FileRefusal {
+  const isKnown = (line: OtherLine): boolean => gains.some(({ name }) => name === line.name);
   const seen = new Set<string>();
   const lines = others
     .filter(isKnown)
-    .map(({ name, text }) => readLine({ name, value: numberOf(text) }, seen));
+    .map(({ name, text }) => readLine({ name, value: numberOf(text) }, seen, gains));
   const leftOut = others.filter((line) => !isKnown(line)).map(({ name }) => name);
   return lines.length === 0
     ? "nothing_here"
-    : { saved: null, board: null, lines, missing: missingOf(seen), leftOut };
+    : { saved: null, board: null, lines, missing: missingOf(seen, gains), leftOut };
 }
 
 /** The text itself where it is no number, so that its line can be reported. */
@@ -100,18 +100,18 @@ function numberOf(text: string): number | string {
   return Number.isFinite(value) ? value : text;
 }
 
-function missingOf(seen: ReadonlySet<string>): readonly ParameterName[] {
-  return PARAMETERS.map(({ name }) => name).filter((name) => !seen.has(name));
+function missingOf(seen: ReadonlySet<string>, gains: readonly GainInfo[]): readonly string[] {
+  return gains.map(({ name }) => name).filter((name) => !seen.has(name));
 }
 
-function readLine(entry: unknown, seen: Set<string>): FileLine {
+function readLine(entry: unknown, seen: Set<string>, gains: readonly GainInfo[]): FileLine {
   const name = isObject(entry) && isText(entry["name"]) ? entry["name"] : null;
   const raw = isObject(entry) ? entry["value"] : entry;
   const text = isText(raw) ? raw : (JSON.stringify(raw) ?? "");
   if (name === null) {
     return { name: "", text, fault: "no_name", parameter: null };
   }
-  const parameter = PARAMETERS.find((known) => known.name === name);
+  const parameter = gains.find((known) => known.name === name);
   if (parameter === undefined) {
     return { name, text, fault: "unknown", parameter: null };
   }
@@ -124,7 +124,7 @@ function readLine(entry: unknown, seen: Set<string>): FileLine {
 
 /** Why the board would reject this value; null if it would not. */
 export function valueFault(
-  { minimum, maximum, isInteger }: ParameterInfo,
+  { minimum, maximum, isInteger }: GainInfo,
   value: unknown,
 ): "not_a_number" | "out_of_range" | "not_whole" | null {
   if (!isNumber(value)) {

@@ -3,6 +3,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Journal, JournalEntry, ParameterMoves } from "../../protocol/contract";
 import type { GainState, OwnGains, OwnGainsEvent } from "../../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
+import { isParameterName } from "../../protocol/parameterName";
 import type { Asker } from "../../requests/asking";
 import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
@@ -19,6 +20,26 @@ export interface ParameterValues {
   readonly journal: Journal | null;
   /** When the board confirmed that these values are on its card, Unix milliseconds; null: unknown. */
   readonly stored_ms: number | null;
+}
+
+/** A gain with what it may be: one of the 17, or one that the board describes itself. */
+export interface GainInfo {
+  readonly name: string;
+  readonly minimum: number;
+  readonly maximum: number;
+  readonly default: number;
+  readonly isInteger: boolean;
+}
+
+/** All gains that the board is known to have. */
+export function gainsOf({ own: { table } }: ParameterValues): readonly GainInfo[] {
+  const own = table.state === "known" ? table.gains : [];
+  return [...PARAMETERS, ...own.map((gain) => ({ ...gain, isInteger: gain.type !== "f32" }))];
+}
+
+/** What is known of a gain. */
+export function stateOf({ held, own }: ParameterValues, name: string): GainState {
+  return (isParameterName(name) ? held[name] : own.values[name]) ?? UNKNOWN;
 }
 
 export type ParameterStore = StoreApi<ParameterValues>;
