@@ -38,9 +38,11 @@ TURNS: dict[str, tuple[str, str, dict[str, float]]] = {
     "web.stream.hub": ("Hub", "_turn", {}),
     "web.stream.socket": ("SocketConnection", "_check_alive", {"_KEEPALIVE_S": SOON_S}),
 }
-# Where a turn needs a line, a flood, a file or a certificate, the part's own tests have it.
+# Where a turn needs a line, a simulator, a flood, a file or a certificate, the part's own tests have it.
 ELSEWHERE = {
+    "beacons.listener",
     "fields.progress",
+    "flight.hil.simulator",
     "link.descriptor",
     "link.udp",
     "replay.vehicle_process",

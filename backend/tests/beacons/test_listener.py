@@ -9,8 +9,9 @@ from collections.abc import AsyncIterator
 
 import pytest
 
+from epf_gcs.beacons import listener as listener_module
 from epf_gcs.beacons.listener import BeaconListener
-from epf_gcs.xplane.beacon import BEACON_GROUP
+from epf_gcs.xplane.beacon import BEACON_GROUP, Beacon, parse_beacon
 from tests.support.ports import free_udp_port
 from tests.support.waiting import eventually_async
 from tests.support.x_plane import XPlane, beacon
@@ -76,6 +77,29 @@ async def test_nothing_is_listened_to_unless_somebody_looks() -> None:
         await eventually_async(lambda: is_taken(port), "it listens")
         clock.now_s += 15.1
         await eventually_async(lambda: not is_taken(port), "it does not any more")
+
+
+async def test_it_listens_on_after_a_beacon_that_met_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    faults = [ZeroDivisionError]
+
+    def faulty(datagram: bytes) -> Beacon | None:
+        if faults:
+            raise faults.pop()
+        return parse_beacon(datagram)
+
+    raised: list[object] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: raised.append(type(context["exception"])))
+    monkeypatch.setattr(listener_module, "parse_beacon", faulty)
+    clock, port = Clock(), free_udp_port()
+    with XPlane(120012) as x_plane:
+        async with listening(clock, port) as listener:
+
+            def is_found() -> bool:
+                x_plane.say(port)
+                return bool(listener.look())
+
+            await eventually_async(is_found, "the next beacon")
+    assert raised == [ZeroDivisionError]
 
 
 def is_taken(port: int) -> bool:

@@ -26,7 +26,7 @@ _START_SIZE: Final = 8  # header and type: enough to know the length
 _TAIL_SIZE: Final = 8  # checksum and end
 _END_WORD: Final = int.from_bytes(END, "little")
 _LONGEST_NOISE: Final = 256  # longer than any text line of the board; bounds what is kept until a line end comes
-_LONGEST_REMAINS: Final = 128  # longer than the longest frame
+_LONGEST_REMAINS: Final = 256  # longer than the longest frame
 _new_frame: Final = tuple.__new__
 
 

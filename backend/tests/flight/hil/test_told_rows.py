@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
 from epf_gcs.flight.flight import Flight
+from epf_gcs.flight.hil import simulator
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.xplane.datagram import parse
+from epf_gcs.xplane.output import output_datagrams
 from tests.support.ports import free_udp_port
 from tests.support.waiting import eventually_async
 from tests.support.x_plane import XPlane
@@ -43,6 +46,29 @@ async def test_an_x_plane_in_which_nothing_is_ticked_sends_all_that_the_station_
             await station.lines.close_simulator()
         x_plane.turn()
         assert parse(x_plane.datagrams[-1]) is not None, "the last word gives the controls back"
+
+
+async def test_it_is_told_again_after_a_turn_that_failed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    faults = [ZeroDivisionError]
+
+    def faulty(host: str, port: int, rows: Iterable[int]) -> list[bytes]:
+        if faults:
+            raise faults.pop()
+        return output_datagrams(host, port, rows)
+
+    monkeypatch.setattr(simulator, "output_datagrams", faulty)
+    station = Flight(tmp_path / "data", record=False)
+    with XPlane(120012) as x_plane:
+        async with station.running():
+            address = SimulatorAddress(free_udp_port(), "127.0.0.1", x_plane.port, "xp12", tells_rows=True)
+            await station.lines.open_simulator(address)
+
+            def is_told() -> bool:
+                x_plane.turn()
+                return bool(x_plane.rows)
+
+            await eventually_async(is_told, "its rows")
+    assert not faults
 
 
 async def test_an_x_plane_that_its_user_has_set_up_is_told_nothing(tmp_path: Path) -> None:

@@ -139,7 +139,7 @@ async def test_the_line_of_the_simulator_is_shown_with_its_counts_and_its_share(
     flight.rates.simulator_in.note(100.0, 0)
     flight.rates.simulator_in.note(102.0, CHANNEL_BYTES_PER_S)
     shown = simulator(flight)
-    assert {name: shown[name] for name in ("receive_port", "send_host", "send_port", "profile")} == ADDRESS.as_dict()
+    assert {name: shown[name] for name in ADDRESS.as_dict()} == ADDRESS.as_dict()
     assert (shown["datagrams_received"], shown["bytes_in"], shown["percent"]) == (7, 700, 50.0)
     assert (shown["datagrams_dropped"], shown["drop_reasons"]) == (5, {"stranger": 3, "malformed": 2})
     assert (shown["frames_to_board"], shown["frames_to_simulator"]) == (11, 12)
