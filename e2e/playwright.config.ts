@@ -11,8 +11,9 @@ export default defineConfig({
   // For a station that runs already: only what needs no kill, no cable and no option of its own is tagged for it.
   globalSetup: "./support/there.ts",
   ...(process.env.GCS_STATION === undefined ? {} : { grep: /@any-station/ }),
-  // Every journey has a board, a simulator and a gateway of its own, and waits for conditions alone; it needs half of a
-  // core, so that two cores have room for three journeys at a time. A station that runs already has one operator.
+  // Journeys that serve with any station share their worker's; each other has a board, a simulator and a gateway of its
+  // own. All wait for conditions alone, half of the time: two cores have room for four at a time. A station that runs
+  // already has one operator.
   workers: process.env.GCS_STATION === undefined ? 4 : 1,
   fullyParallel: process.env.GCS_STATION === undefined,
   forbidOnly: true,

@@ -37,10 +37,10 @@ from epf_gcs.vehicle.outside import Outlet
 
 _ASK_S: Final = 0.5
 # An order is sent so often, with this pause, until its report comes.
-_TRIES: Final = 4
-_TRY_S: Final = 0.3
+_TRIES: Final = 10
+_TRY_S: Final = 0.5
 # The simulator is X-Plane, or is gone, when it has left so many orders unanswered: then it is asked now and again.
-_UNANSWERED: Final = 6
+_UNANSWERED: Final = 10
 _SELDOM: Final = 20
 
 
