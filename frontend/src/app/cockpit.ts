@@ -5,11 +5,13 @@ import { createAlarmLog } from "../features/alarms/alarmRequests";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
 import { createFaults, FAULTS } from "../features/faults/faultRequests";
 import { createInspector, INSPECTOR } from "../features/messages/inspectorRequests";
+import { lineLawOf } from "../features/parameters/lineLawOfGains";
 import { createParameterActions, takeParameterEvent } from "../features/parameters/parameterRequests";
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
 import { createBoardConsole } from "../features/setup/consoleRequests";
 import { createDoctor, DOCTOR } from "../features/setup/doctor";
+import { LINE_LAW } from "../missions/lineLaw";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS, type PlanStore } from "../missions/planDrafts";
 import { createSelection, SELECTION } from "../missions/selection";
@@ -33,6 +35,7 @@ export interface Cockpit extends Controls {
 export function createCockpit(core: Core, offer: (text: string) => void): Cockpit {
   const { client, tell, world } = core;
   const gains = createParameters();
+  const gainActions = createParameterActions(gains, core);
   const plans = createPlans(world.storage);
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole(core);
   const actions = createActions(core);
@@ -47,7 +50,8 @@ export function createCockpit(core: Core, offer: (text: string) => void): Cockpi
       withTools(controls.addTo(parts), core)
         .with(ACTIONS, actions)
         .with(ALARM_LOG, alarmLog)
-        .with(PARAMETER_REQUESTS, createParameterActions(gains, core))
+        .with(PARAMETER_REQUESTS, gainActions)
+        .with(LINE_LAW, lineLawOf(gainActions))
         .with(MISSIONS, createPlanActions(plans, world.saveFile, core))
         .with(BOARD_CONSOLE, boardConsole),
     takeStatus: (before, status) => {

@@ -51,9 +51,12 @@ export function captureRadius_m(speed_kt: number): number {
   if (!(speed_kt > CAPTURE_MINIMUM_TO_KT)) {
     return CAPTURE_MINIMUM_M;
   }
-  const speed_m_s = convertUnit(speed_kt, "kt", "mPerS");
-  const turn_m = speed_m_s ** 2 / (GRAVITY_M_S2 * Math.tan(STEEPEST_BANK_DEG / DEGREES_PER_RADIAN));
-  return Math.max(CAPTURE_MINIMUM_M, 1.5 * turn_m);
+  return Math.max(CAPTURE_MINIMUM_M, 1.5 * turnRadius_m(speed_kt, STEEPEST_BANK_DEG));
+}
+
+/** Radius of a level turn in calm air, metres. */
+export function turnRadius_m(speed_kt: number, bank_deg: number): number {
+  return convertUnit(speed_kt, "kt", "mPerS") ** 2 / (GRAVITY_M_S2 * Math.tan(bank_deg / DEGREES_PER_RADIAN));
 }
 
 /** Whether both plans are the same for the board, which stores positions in double and the rest in single precision. */

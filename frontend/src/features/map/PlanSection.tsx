@@ -2,6 +2,7 @@ import { useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { legsOf } from "../../lib/plan";
+import { useTurnBank } from "../../missions/lineLaw";
 import { SELECTION, selectThing, useMapThing } from "../../missions/selection";
 import { useIssueText } from "../../missions/useIssueText";
 import { useUnit } from "../../readouts/useUnit";
@@ -82,6 +83,7 @@ export function PlanSection() {
 function PlanState({ plan }: { plan: MapPlan }) {
   const { t } = useTranslation();
   const distance = useUnit("distance");
+  const turnBank_deg = useTurnBank();
   const { waypoints, state, flownTo, ending } = plan;
   const total_m = legsOf(waypoints).reduce((sum, leg) => sum + leg.distance_m, 0);
   return (
@@ -98,6 +100,7 @@ function PlanState({ plan }: { plan: MapPlan }) {
         </p>
       )}
       <p>{flownTo === null ? t("plans.flownToNone") : t("plans.flownTo", { number: flownTo + 1 })}</p>
+      {turnBank_deg !== null && <p>{t("map.plan.turns", { bank: turnBank_deg })}</p>}
       {ending !== null && <p>{ending === "loop" ? t("map.plan.endsLoop") : t("map.plan.endsHold")}</p>}
     </div>
   );

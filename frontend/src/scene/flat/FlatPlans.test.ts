@@ -32,6 +32,7 @@ function drawn(): DrawnPlan {
     unsent: waypoints.map(() => false),
     active: null,
     loops: false,
+    turnBank_deg: null,
     selected: null,
     chosen: [],
     label: (_, row) => String(row + 1),

@@ -33,6 +33,7 @@ function pensOf(aircraft: Aircraft): Readonly<Partial<Record<LineKind, Pen>>> {
     unsentLeg: { colour: UNSENT, width_px: 2, isDashed },
     activeLeg: { colour: STRONG, width_px: 3.5, isDashed },
     oldLeg: { colour: `${colour}${FADED}`, width_px: 1.5, isDashed },
+    turn: { colour, width_px: 1.5 },
     ring: { colour, width_px: 1 },
     activeRing: { colour: STRONG, width_px: 1.5 },
   };

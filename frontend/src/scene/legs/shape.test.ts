@@ -15,6 +15,7 @@ function drawn(plan: Partial<DrawnPlan> = {}): DrawnPlan {
     unsent: waypoints.map(() => false),
     active: null,
     loops: false,
+    turnBank_deg: null,
     selected: null,
     chosen: [],
     label: (waypoint, row) => `${row + 1} · ${waypoint.altitude_ft}`,
@@ -44,6 +45,15 @@ describe("the lines of a plan", () => {
     expect([closing?.places[0], closing?.places.at(-1)].map((place) => place?.longitude_deg)).toEqual([
       -15.39, -15.37,
     ]);
+  });
+
+  test("are the turns and the lines of capture where the line law flies", () => {
+    expect(kinds(drawn({ turnBank_deg: 30 }))).toEqual([
+      ...["leg", "leg", "turn", "ring", "ring", "stem", "stem", "stem"],
+    ]);
+    const closed = kinds(drawn({ turnBank_deg: 30, loops: true, active: 1 }));
+    expect(closed.filter((kind) => kind === "turn")).toHaveLength(3);
+    expect(closed.filter((kind) => kind === "activeRing")).toHaveLength(1);
   });
 
   test("make the leg that is flown stand out, with the circle at its end", () => {

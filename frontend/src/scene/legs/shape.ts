@@ -1,4 +1,6 @@
+import type { Position } from "../../lib/geodesy";
 import { captureRadius_m, type Waypoint } from "../../lib/plan";
+import { turnAt } from "../../lib/turn";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Place } from "../ribbon/vertices";
 import { legPoints, type Point, ring } from "./geometry";
@@ -15,6 +17,8 @@ export interface DrawnPlan {
   readonly active: number | null;
   /** Whether the first waypoint follows the last. */
   readonly loops: boolean;
+  /** Bank of the turns that the line law flies; null: another law flies, or it is not known which. */
+  readonly turnBank_deg: number | null;
   readonly selected: number | null;
   /** All selected rows, that one among them. */
   readonly chosen: readonly number[];
@@ -27,6 +31,7 @@ export type LineKind =
   | "unsentLeg"
   | "activeLeg"
   | "oldLeg"
+  | "turn"
   | "ring"
   | "activeRing"
   | "stem"
@@ -61,7 +66,9 @@ export function linesOf(plan: DrawnPlan): readonly Line[] {
   const old = legsOf(board ?? [], loops).map(({ from, to, row }) =>
     leg(row === active ? "activeLeg" : "oldLeg", from, to),
   );
-  const rings = waypoints.map((waypoint, row) => circle(waypoint, row === flown ? "activeRing" : "ring"));
+  const rings = waypoints.flatMap((waypoint, row) =>
+    captureOf(plan, waypoint, row, row === flown ? "activeRing" : "ring"),
+  );
   const target = board === null || active === null ? undefined : board[active];
   const stems = waypoints.map((waypoint, row) =>
     stem(waypoint, row === selected || chosen.includes(row) ? "selectedStem" : "stem"),
@@ -126,6 +133,26 @@ function circle(waypoint: Waypoint, kind: "ring" | "activeRing"): Line {
   const around = ring(waypoint, captureRadius_m(waypoint.speed_kt), CORNERS);
   const { altitude_ft } = waypoint;
   return { kind, places: around.map((place) => inSpace({ ...place, altitude_ft })) };
+}
+
+/** Where a waypoint counts as reached: within a circle, or at a line that the law has passed, behind its turn. */
+function captureOf(plan: DrawnPlan, at: Waypoint, row: number, kind: "ring" | "activeRing"): readonly Line[] {
+  const { turnBank_deg } = plan;
+  if (turnBank_deg === null) {
+    return [circle(at, kind)];
+  }
+  const legs = drawnLegs(plan);
+  const before = legs.find((one) => one.row === row)?.from;
+  const after = legs.find((one) => one.from === at)?.to ?? null;
+  const turn = before === undefined ? null : turnAt(before, at, after, turnBank_deg);
+  const level = (places: readonly Position[]): readonly Place[] =>
+    places.map((place) => inSpace({ ...place, altitude_ft: at.altitude_ft }));
+  return turn === null
+    ? []
+    : [
+        ...(turn.arc.length === 0 ? [] : [{ kind: "turn", places: level(turn.arc) } as const]),
+        { kind, places: level(turn.capture) },
+      ];
 }
 
 /** Down to sea level: terrain hides what is below it. */

@@ -14,6 +14,7 @@ const plan: DrawnPlan = {
   unsent: [false, true],
   active: 1,
   loops: false,
+  turnBank_deg: null,
   selected: 0,
   chosen: [0],
   label: (_, row) => String(row + 1),

@@ -22,6 +22,7 @@ export function looksOf(plan: Aircraft): Readonly<Record<LineKind, LineLook>> {
     unsentLeg: { colour: UNSENT_COLOUR, width_px: 3, ...dashes },
     activeLeg: { colour, width_px: 8, edge: { colour: ACTIVE_COLOUR, width_px: 1.5 } },
     oldLeg: { colour: colour.withAlpha(0.45), width_px: 2, ...dashes },
+    turn: { colour: colour.withAlpha(0.8), width_px: 2 },
     ring: { colour: colour.withAlpha(0.7), width_px: 1.5 },
     activeRing: { colour: ACTIVE_COLOUR, width_px: 3 },
     stem: { colour: colour.withAlpha(0.55), width_px: 1.5 },

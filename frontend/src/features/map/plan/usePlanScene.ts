@@ -4,6 +4,7 @@ import { useStore } from "zustand";
 import type { Aircraft } from "../../../lib/aircraft";
 import { unsentOf, type Waypoint } from "../../../lib/plan";
 import { carried } from "../../../lib/planEdit";
+import { useFreshLineLaw, useTurnBank } from "../../../missions/lineLaw";
 import { editPlan, MISSIONS } from "../../../missions/planDrafts";
 import { SELECTION, useMapThing } from "../../../missions/selection";
 import { useUnit } from "../../../readouts/useUnit";
@@ -35,6 +36,7 @@ export function usePlanScene(
   onHold: (held: HeldWaypoint | null) => void,
 ): void {
   const page = usePage();
+  useFreshLineLaw();
   const onGlobe = usePlanLayer();
   const flat = useFlat();
   const scene: Pick<PlanScene, "show" | "showHome" | "listen"> | null = flat.isShown
@@ -83,6 +85,7 @@ export function usePlanScene(
 function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }: MapPlan, isShown: boolean) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
+  const turnBank_deg = useTurnBank();
   const thing = useMapThing();
   const selected = thing?.kind === "waypoint" && thing.plan === plan ? thing.row : null;
   const rows = useStore(usePart(SELECTION), (now) => now.rows);
@@ -97,6 +100,7 @@ function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }
           unsent: unsentOf(waypoints, onBoard),
           active: onBoard !== null && flownTo !== null && flownTo < onBoard.length ? flownTo : null,
           loops: ending === "loop" && board === null,
+          turnBank_deg,
           selected,
           chosen,
           label: (waypoint, row) => {
@@ -105,5 +109,5 @@ function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }
           },
         }
       : null;
-  }, [t, altitude, waypoints, onBoard, state, flownTo, ending, selected, chosen, isShown]);
+  }, [t, altitude, waypoints, onBoard, state, flownTo, ending, turnBank_deg, selected, chosen, isShown]);
 }

@@ -1,0 +1,32 @@
+import { useEffect, useSyncExternalStore } from "react";
+import { useConnection, usePart } from "../store/hooks";
+import { partName } from "../store/parts";
+
+/** What the map draws of the law that holds the line. */
+export interface LineLaw {
+  /** Bank, degrees, of the turns that it flies; null: another law flies, or it is not known which. */
+  readonly bank_deg: () => number | null;
+  readonly subscribe: (listener: () => void) => () => void;
+  /** Read what the gateway knows of it; nothing is asked of the board. */
+  readonly refresh: () => Promise<void>;
+}
+
+export const LINE_LAW = partName<LineLaw>("line law");
+
+/** The bank of the line law's turns; null: it does not fly, or that is not known. */
+export function useTurnBank(): number | null {
+  const law = usePart(LINE_LAW);
+  return useSyncExternalStore(law.subscribe, law.bank_deg);
+}
+
+/** Have the line law known while this is shown. */
+export function useFreshLineLaw(): void {
+  const law = usePart(LINE_LAW);
+  const isOpen = useConnection(({ phase }) => phase === "open");
+  const client = useConnection((connection) => connection.client);
+  useEffect(() => {
+    if (isOpen && client !== null) {
+      void law.refresh();
+    }
+  }, [law, isOpen, client]);
+}
