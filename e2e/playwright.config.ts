@@ -12,9 +12,9 @@ export default defineConfig({
   globalSetup: "./support/there.ts",
   ...(process.env.GCS_STATION === undefined ? {} : { grep: /@any-station/ }),
   // Journeys that serve with any station share their worker's; each other has a board, a simulator and a gateway of its
-  // own. All wait for conditions alone, half of the time: two cores have room for four at a time. A station that runs
+  // own. All wait for conditions alone, half of the time: two cores have room for three at a time. A station that runs
   // already has one operator.
-  workers: process.env.GCS_STATION === undefined ? 4 : 1,
+  workers: process.env.GCS_STATION === undefined ? 3 : 1,
   fullyParallel: process.env.GCS_STATION === undefined,
   forbidOnly: true,
   retries: 0,

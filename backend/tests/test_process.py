@@ -21,7 +21,7 @@ from mcap.stream_reader import StreamReader
 
 from epf_gcs.xplane.datagram import Record, build, release_datagram
 from tests.support.fake_board import FakeBoard
-from tests.support.programs import Program, children_of, gateway_process, sockets_of
+from tests.support.programs import Program, children_of, gateway_process, sockets_of, words_of
 from tests.support.waiting import DEADLINE_S, eventually
 
 WHOLE = build(Record(row, (0.1,) * 8) for row in (3, 4, 6, 8, 11, 16, 17, 18, 20, 25))
@@ -74,7 +74,7 @@ def test_the_web_process_keeps_off_the_core_of_the_flight(tmp_path: Path) -> Non
         client.get("/status").raise_for_status()
         cores = {}
         for pid in children_of(program.process.pid):
-            words = Path(f"/proc/{pid}/cmdline").read_text().split("\0")
+            words = words_of(pid)
             cores[words[words.index("-m") + 1]] = os.sched_getaffinity(pid)
         flight, web = cores["epf_gcs.flight"], cores["epf_gcs.web"]
         real_time = "priority=real-time" in program.said

@@ -28,7 +28,7 @@ from tests.bus.test_ends import Heard, connected
 from tests.support.fake_board import FakeBoard
 from tests.support.page import Page, page
 from tests.support.ports import free_udp_port
-from tests.support.programs import Program, children_of, gateway_process
+from tests.support.programs import Program, children_of, gateway_process, words_of
 from tests.support.simulator import WHOLE, Simulator
 from tests.support.waiting import DEADLINE_S, eventually, eventually_async
 
@@ -55,7 +55,7 @@ class Flying:
         found = {}
         pid = self.program.process.pid
         for child in children_of(pid):
-            words = Path(f"/proc/{child}/cmdline").read_bytes().decode().split("\0")
+            words = words_of(child)
             if "-m" in words:
                 found[words[words.index("-m") + 1].rpartition(".")[2]] = int(child)
         return found

@@ -33,7 +33,7 @@ from tests.support import bad_server as bad
 from tests.support import fields
 from tests.support.bad_server import BadServer, bad_server
 from tests.support.maps import decode_mesh
-from tests.support.programs import Program, children_of, gateway_process
+from tests.support.programs import Program, children_of, gateway_process, words_of
 from tests.support.waiting import DEADLINE_S, eventually
 
 PACE = Pace(0.002, 0.004, 5.0)
@@ -237,7 +237,7 @@ def test_the_whole_station_killed_in_the_middle_leaves_no_worker_and_goes_on_by_
         assert begun.status_code < 300, begun.text
         eventually(lambda: only(http)["tiles"] == 8, "eight tiles are there")
         pids = tree(program.process.pid)
-        workers = [pid for pid in pids if b"epf_gcs.fields.worker" in Path(f"/proc/{pid}/cmdline").read_bytes()]
+        workers = [pid for pid in pids if "epf_gcs.fields.worker" in words_of(pid)]
         assert len(workers) == 1
         # A power cut for everything but the worker, which has to see it by itself.
         for pid in pids:

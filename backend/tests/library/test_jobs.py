@@ -14,7 +14,7 @@ import pytest
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import TOPICS
 from tests.support.gateway import Gateway, running_gateway
-from tests.support.programs import Program, children_of, gateway_process, sockets_of
+from tests.support.programs import Program, children_of, gateway_process, sockets_of, words_of
 from tests.support.waiting import eventually
 
 FLIGHT = "20260101T100000Z"
@@ -36,13 +36,6 @@ def large(tmp_path: Path) -> Path:
     return tmp_path / "data"
 
 
-def command_of(pid: int) -> str:
-    try:
-        return Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ").decode()
-    except OSError:
-        return ""
-
-
 def is_alive(pid: int) -> bool:
     try:
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
@@ -52,7 +45,7 @@ def is_alive(pid: int) -> bool:
 
 def found(pid: int, words: str) -> list[int]:
     """The children of a process whose command has these words."""
-    return [child for child in children_of(pid) if words in command_of(child)]
+    return [child for child in children_of(pid) if words in " ".join(words_of(child))]
 
 
 def waits(gateway: Gateway, kind: str, condition: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:

@@ -61,6 +61,14 @@ def children_of(pid: int) -> list[int]:
     return found
 
 
+def words_of(pid: int) -> list[str]:
+    """The command line of a process; empty if it has ended."""
+    try:
+        return Path(f"/proc/{pid}/cmdline").read_bytes().decode().split("\0")
+    except (FileNotFoundError, ProcessLookupError):
+        return []
+
+
 def sockets_of(pid: int) -> set[str]:
     """The open sockets of a process, as the system names them: `socket:[inode]`."""
     links: set[str] = set()

@@ -74,11 +74,14 @@ class DeedLog:
     async def newest(self, before: int | None, limit: int, text: str) -> list[Deed]:
         """Up to `limit` deeds that have this text in them and stand before the one at `before`, newest first.
 
-        Each says as `at` where it stands: its byte in all files together. Times can be the same, and go back.
+        Each says as `at` where it stands: its byte in all files together. Times can be the same, and go back. All that
+        was noted before is among them.
         """
-        return await asyncio.get_running_loop().run_in_executor(
-            None, lambda: list(self._search(before, limit, text.casefold()))
-        )
+        loop = asyncio.get_running_loop()
+        # What is being written, and what has waited for that.
+        for _ in range(2):
+            await loop.run_in_executor(self._thread, _nothing)
+        return await loop.run_in_executor(None, lambda: list(self._search(before, limit, text.casefold())))
 
     def _take(self) -> bytes:
         lines, self._lines = self._lines, []
@@ -180,3 +183,7 @@ def _backwards(file: BinaryIO, size: int) -> Iterator[tuple[int, bytes]]:
                 yield at, line
     if rest:
         yield 0, rest
+
+
+def _nothing() -> None:
+    """A turn of the thread that writes: what was handed to it before is done."""

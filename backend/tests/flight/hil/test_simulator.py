@@ -12,6 +12,7 @@ import pytest
 
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.contract.events import ErrorEvent, Event
+from epf_gcs.contract.simulator_faults import FaultReport, WindState, datagram
 from epf_gcs.errors import LinkError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import Profile, SimulatorAddress
@@ -69,6 +70,20 @@ async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path, monkey
         assert malformed["params"] == {"bytes": 0}
         assert foreign["params"] == {"host": station.simulator.last_stranger, "configured": "127.0.0.1"}
         assert "because the simulator is at 127.0.0.1" in foreign["detail"]
+
+
+async def test_the_word_on_its_faults_that_a_relay_brings_is_not_rubbish(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    report = datagram(FaultReport(1, WindState(0.0, 0.0, "none"), ()))
+    async with station.running():
+        port = free_port()
+        await station.lines.open_simulator(an_address(port))
+        with taken_port() as relay:
+            for sent in (report, b"rubbish"):
+                relay.sendto(sent, ("127.0.0.1", port))
+        await eventually_async(lambda: bool(station.simulator.dropped), "what comes after it is counted")
+        assert station.simulator.dropped == {"malformed": 1}
+        assert station.errors.counts == {"datagram_malformed": 1}
 
 
 async def test_a_simulator_that_sent_nothing_for_a_second_is_lost(

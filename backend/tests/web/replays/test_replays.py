@@ -25,7 +25,7 @@ from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
 from tests.support.contract import read_as
 from tests.support.gateway import Gateway, Stream, running_gateway
 from tests.support.outlet import KeptOutlet
-from tests.support.programs import children_of, gateway_process
+from tests.support.programs import children_of, gateway_process, words_of
 from tests.support.waiting import eventually, first_of
 
 ID = "20260101T120000Z"
@@ -44,7 +44,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
 
 def replays() -> list[int]:
     """Process numbers of the replays that run."""
-    return [pid for pid in children_of(os.getpid()) if b"epf_gcs.replay" in _words(pid)]
+    return [pid for pid in children_of(os.getpid()) if "epf_gcs.replay" in words_of(pid)]
 
 
 def samples_until(stream: Stream, wanted: Any) -> list[dict[str, Any]]:
@@ -217,18 +217,10 @@ def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
         url = gateway.wait_for_words(r"url=(http://\S+)").replace("http", "ws")
         with connect(f"{url}/api/v1/stream?flight={ID}") as connection:
             assert Stream(connection).hello["type"] == "hello"
-            (web,) = [pid for pid in children_of(gateway.process.pid) if b"epf_gcs.web" in _words(pid)]
-            (replay,) = [pid for pid in children_of(web) if b"epf_gcs.replay" in _words(pid)]
+            (web,) = [pid for pid in children_of(gateway.process.pid) if "epf_gcs.web" in words_of(pid)]
+            (replay,) = [pid for pid in children_of(web) if "epf_gcs.replay" in words_of(pid)]
             os.kill(web, signal.SIGKILL)
-            eventually(lambda: not Path(f"/proc/{replay}").exists() or not _words(replay), "the replay ends")
-
-
-def _words(pid: int) -> bytes:
-    """The command line of a process; empty if it has ended."""
-    try:
-        return Path(f"/proc/{pid}/cmdline").read_bytes()
-    except (FileNotFoundError, ProcessLookupError):
-        return b""
+            eventually(lambda: not Path(f"/proc/{replay}").exists() or not words_of(replay), "the replay ends")
 
 
 def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: Gateway) -> None:

@@ -20,7 +20,7 @@ from epf_gcs.shares.holder import Standing
 from epf_gcs.tls import keeper as keeper_module
 from epf_gcs.web.interface.tls.routes import MEDIA_TYPE
 from tests.support.gateway import Gateway, running_gateway
-from tests.support.programs import children_of, gateway_process
+from tests.support.programs import children_of, gateway_process, words_of
 from tests.support.tls import careless, self_signed, trusting
 from tests.support.waiting import DEADLINE_S, eventually
 
@@ -223,7 +223,7 @@ def test_a_browser_waits_while_the_web_process_starts_again_and_finds_the_same_c
 
         def web() -> int | None:
             for pid in children_of(program.process.pid):
-                if b"epf_gcs.web" in Path(f"/proc/{pid}/cmdline").read_bytes():
+                if "epf_gcs.web" in words_of(pid):
                     return pid
             return None
 

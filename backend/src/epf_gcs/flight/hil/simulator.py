@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.contract.simulator_faults import MAGIC as REPORT_MAGIC
 from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
@@ -163,6 +164,9 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
             self._last_datagram_s = self._clock.steady_s()
             self.datagrams += 1
             self.bytes_in += len(datagram)
+            return
+        if datagram.startswith(REPORT_MAGIC):
+            # The embedded simulator's word on its faults, which a relay between the two has brought to this port.
             return
         self.dropped["malformed"] += 1
         self._report(

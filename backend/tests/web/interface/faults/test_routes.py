@@ -87,4 +87,4 @@ def test_an_owner_orders_faults_and_wind_and_every_viewer_sees_them(tmp_path: Pa
             owner.post("/faults", json={"place": "gps", "kind": "jump", "start_s": 60}).raise_for_status()
             assert owner.delete("/faults").raise_for_status().json() == {"faults": [], "wind": wind}
             deeds = [one["what"] for one in owner.get("/access/log").json()["deeds"] if one["deed"] == "faults"]
-            assert len(deeds) == 5
+            assert len(deeds) == 6
