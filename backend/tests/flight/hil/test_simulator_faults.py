@@ -26,6 +26,7 @@ from epf_gcs.contract.simulator_faults import (
 )
 from epf_gcs.errors import ConflictError, InvalidInputError, NotFoundError, UnavailableError
 from epf_gcs.flight.flight import Flight
+from epf_gcs.flight.hil import simulator_faults
 from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.hil.simulator_faults import SimulatorFaultControl
 from tests.support.embedded import embedded_simulator
@@ -207,7 +208,8 @@ def control(place: Deaf | Place, known: list[Mapping[str, object]]) -> Simulator
     return SimulatorFaultControl(place, Outlet(), Moment(), known.append, lambda: None)  # type: ignore[arg-type]
 
 
-async def test_an_order_is_sent_again_until_it_is_obeyed_and_then_given_up() -> None:
+async def test_an_order_is_sent_again_until_it_is_obeyed_and_then_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(simulator_faults, "_TRY_S", 0.01)
     deaf = Deaf(lambda order: FaultReport(order.serial, WindState(), ()))
     known: list[Mapping[str, object]] = []
     faults = control(deaf, known)
@@ -218,7 +220,7 @@ async def test_an_order_is_sent_again_until_it_is_obeyed_and_then_given_up() -> 
             await faults.begin(Fault("gyro", "bias", 0.0))
         while deaf.answer():
             pass
-        assert [order.begin is None for order in deaf.orders] == [True] + [False] * 4
+        assert [order.begin is None for order in deaf.orders] == [True] + [False] * simulator_faults._TRIES
         assert len({order.begin.id for order in deaf.orders if order.begin is not None}) == 1
         faults._hang_up()
 
