@@ -22,6 +22,7 @@ from tests.support import bad_server as bad
 from tests.support import fields
 from tests.support.bad_server import BadServer, bad_server
 from tests.support.gateway import Gateway, running_gateway
+from tests.support.programs import words_of
 from tests.support.waiting import DEADLINE_S, eventually
 
 AGREED: dict[str, Any] = {"local_maps": ("127.0.0.1",)}
@@ -100,12 +101,12 @@ def workers() -> list[int]:
     """Processes of ours that prepare a field."""
     found = []
     for place in Path("/proc").glob("[0-9]*"):
+        words = words_of(int(place.name))
         try:
-            words = (place / "cmdline").read_bytes().split(b"\0")
             parent = (place / "stat").read_text().rpartition(")")[2].split()[1]
         except OSError:
             continue
-        if b"epf_gcs.fields.worker" in words and int(parent) == os.getpid():
+        if "epf_gcs.fields.worker" in words and int(parent) == os.getpid():
             found.append(int(place.name))
     return found
 

@@ -20,7 +20,7 @@ from epf_gcs.launcher.options import BOARD_PROGRAM
 from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port, listener_of
 from epf_gcs.product import BOARD
 from tests.support.ports import free_udp_port
-from tests.support.programs import sockets_of
+from tests.support.programs import sockets_of, words_of
 from tests.support.waiting import DEADLINE_S
 
 GANDO_WAYPOINTS = 8
@@ -110,12 +110,9 @@ class Run:
         names = {}
         for entry in Path("/proc").iterdir():
             if entry.name.isdigit() and parent_of(entry) == parent:
-                try:
-                    words = (entry / "cmdline").read_bytes().decode().split("\0")
-                except FileNotFoundError:
-                    continue
+                words = words_of(int(entry.name))
                 # One that has just died, or has not become its program yet, has no words of its own.
-                if words[0] == str(BOARD.folder / BOARD_PROGRAM):
+                if words[:1] == [str(BOARD.folder / BOARD_PROGRAM)]:
                     names["board"] = int(entry.name)
                 elif "-m" in words and (name := words[words.index("-m") + 1]) != "epf_gcs.launcher":
                     names[name.rpartition(".")[2]] = int(entry.name)

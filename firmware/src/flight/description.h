@@ -11,7 +11,7 @@
 /// Rows, numbered from 0; their numbers are those of the own gains.
 size_t description_count(void);
 
-/// The payload of row `row`. False, and nothing written, where there is none.
+/// The payload of row `row`. False, and nothing written, if the table ends before it.
 bool description_row(size_t row, uint8_t payload[MESSAGE_DESCRIPTION_ROW_SIZE]);
 
 /// CRC-32 of the payloads of all rows in order. Takes about a millisecond on a microcontroller: ask for it once.

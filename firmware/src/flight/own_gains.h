@@ -23,17 +23,17 @@ typedef struct
 
 size_t own_gains_count(void);
 
-/// What gain `index` is. False, and nothing changed, where there is none.
+/// What gain `index` is. False, and nothing changed, if the table ends before it.
 bool own_gains_describe(size_t index, own_gain_t* gain);
 
-/// The value of gain `index`; 0 where there is none.
+/// The value of gain `index`; 0 if the table ends before it.
 float own_gains_get(const tuning_t* tuning, size_t index);
 
 /// Give `tuning` every own gain of another.
 void own_gains_copy(tuning_t* tuning, const tuning_t* other);
 
-/// Set gain `index`. False, and nothing changed, where there is none, outside of its range, or for a choice that is not
-/// whole.
+/// Set gain `index`. False, and nothing changed, if the table ends before it, if the value is out of its range, or if
+/// the value of a choice is no whole number.
 bool own_gains_set(tuning_t* tuning, size_t index, float value);
 
 #endif

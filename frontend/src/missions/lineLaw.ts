@@ -1,5 +1,6 @@
-import { useEffect, useSyncExternalStore } from "react";
-import { useConnection, usePart } from "../store/hooks";
+import { useSyncExternalStore } from "react";
+import { useFresh } from "../requests/useFresh";
+import { usePart } from "../store/hooks";
 import { partName } from "../store/parts";
 
 /** What the map draws of the law that holds the line. */
@@ -21,12 +22,5 @@ export function useTurnBank(): number | null {
 
 /** Have the line law known while this is shown. */
 export function useFreshLineLaw(): void {
-  const law = usePart(LINE_LAW);
-  const isOpen = useConnection(({ phase }) => phase === "open");
-  const client = useConnection((connection) => connection.client);
-  useEffect(() => {
-    if (isOpen && client !== null) {
-      void law.refresh();
-    }
-  }, [law, isOpen, client]);
+  useFresh(usePart(LINE_LAW).refresh);
 }

@@ -1526,6 +1526,22 @@ export const isMissionRehearsal = shape({
 });
 export type MissionRehearsal = Checked<typeof isMissionRehearsal>;
 
+/** An X-Plane heard within the last 5 s: its computer's name, its version, and how its rows are read. */
+export const isNearbySimulator = shape({
+  host: isText,
+  name: isText,
+  port: isNumber,
+  profile: oneOf("xp10", "xp12"),
+  version: isText,
+});
+export type NearbySimulator = Checked<typeof isNearbySimulator>;
+
+/** All X-Planes on the networks of the station's computer. */
+export const isNearbySimulators = shape({
+  simulators: list(isNearbySimulator),
+});
+export type NearbySimulators = Checked<typeof isNearbySimulators>;
+
 /** Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it; null where the
  * address is of use on the station's own computer alone. */
 export const isNewInvitation = shape({
@@ -1786,16 +1802,6 @@ export const isSignals = shape({
 });
 export type Signals = Checked<typeof isSignals>;
 
-/** An X-Plane heard within the last 5 s: its computer's name, its version, and how its rows are read. */
-export const isSimulatorHeard = shape({
-  host: isText,
-  name: isText,
-  port: isNumber,
-  profile: oneOf("xp10", "xp12"),
-  version: isText,
-});
-export type SimulatorHeard = Checked<typeof isSimulatorHeard>;
-
 /** The simulator put its aircraft elsewhere: a reset or a new start. Feet are indicated altitude. */
 export const isSimulatorJumpEvent = shape({
   altitude_ft: isNumber,
@@ -1846,12 +1852,6 @@ export const isSimulatorStatus = shape({
   unusable: list(isUnusableValue),
 });
 export type SimulatorStatus = Checked<typeof isSimulatorStatus>;
-
-/** All X-Planes on the networks of the station's computer. */
-export const isSimulatorsHeard = shape({
-  simulators: list(isSimulatorHeard),
-});
-export type SimulatorsHeard = Checked<typeof isSimulatorsHeard>;
 
 /** The board's aircraft by its GPS, and the simulator's. */
 export const isSurroundingsState = shape({

@@ -1,4 +1,4 @@
-import { isCommandOutcome, isPorts, isSimulatorsHeard, type SimulatorHeard } from "../protocol/guards.gen";
+import { isCommandOutcome, isNearbySimulators, isPorts, type NearbySimulator } from "../protocol/guards.gen";
 import type { CommandName } from "../protocol/messages.gen";
 import type { Outcome } from "../store/commands";
 import { failureMessage, type Message } from "../store/messages";
@@ -55,7 +55,7 @@ export interface Actions {
   /** The ports, or the message of the failure. */
   readonly listPorts: () => Promise<readonly Port[] | Message>;
   /** The X-Planes on the station's networks; none where that cannot be read. */
-  readonly listSimulators: () => Promise<readonly SimulatorHeard[]>;
+  readonly listSimulators: () => Promise<readonly NearbySimulator[]>;
 }
 
 export const ACTIONS = partName<Actions>("actions");
@@ -121,7 +121,7 @@ export function createActions(parts: ActionParts): Actions {
     },
 
     listSimulators: async () => {
-      const answer = await rest.ask("GET", "/api/v1/simulators", isSimulatorsHeard);
+      const answer = await rest.ask("GET", "/api/v1/simulators", isNearbySimulators);
       return answer.ok ? answer.value.simulators : [];
     },
   };

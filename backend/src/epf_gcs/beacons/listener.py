@@ -14,10 +14,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
-import ifaddr
 import structlog
 
 from epf_gcs.repeating import Repeating
+from epf_gcs.tls.identity import addresses_here
 from epf_gcs.xplane.beacon import BEACON_GROUP, BEACON_PORT, Beacon, parse_beacon
 
 log = structlog.get_logger("beacons")
@@ -36,17 +36,12 @@ _JOIN_EVERY_S: Final = 10.0
 
 
 @dataclass(frozen=True, slots=True)
-class FoundSimulator:
+class NearbySimulator:
     """An X-Plane that was heard within the last seconds, and the address that it was heard from."""
 
     host: str
     beacon: Beacon
     heard_s: float
-
-
-def own_addresses() -> list[str]:
-    """Every IPv4 address of this computer, the loopback's too."""
-    return [str(ip.ip) for adapter in ifaddr.get_adapters() for ip in adapter.ips if ip.is_IPv4]
 
 
 class BeaconListener:
@@ -56,19 +51,19 @@ class BeaconListener:
         self,
         now_s: Callable[[], float],
         port: int = BEACON_PORT,
-        addresses: Callable[[], Iterable[str]] = own_addresses,
+        addresses: Callable[[], Iterable[str]] = addresses_here,
     ) -> None:
         self._now_s = now_s
         self._port = port
         self._addresses = addresses
-        self._heard: dict[tuple[str, int], FoundSimulator] = {}
+        self._heard: dict[tuple[str, int], NearbySimulator] = {}
         self._joined: set[str] = set()
         self._join_at_s = 0.0
         self._door: socket.socket | None = None
         self._until_s = 0.0
         self._turns: Repeating | None = None
 
-    def look(self) -> list[FoundSimulator]:
+    def look(self) -> list[NearbySimulator]:
         """The simulators heard lately, by name and address; what comes from now on is in the next answer."""
         now_s = self._now_s()
         self._until_s = now_s + _LISTENS_S
@@ -120,7 +115,7 @@ class BeaconListener:
         for address in self._addresses():
             if self._door is None or address in self._joined:
                 continue
-            # A network that has no groups is left out, and asked again.
+            # An IPv6 address, or a network without groups, is left out, and asked again.
             with contextlib.suppress(OSError):
                 membership = socket.inet_aton(BEACON_GROUP) + socket.inet_aton(address)
                 self._door.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
@@ -136,9 +131,9 @@ class BeaconListener:
                 return
             beacon = parse_beacon(datagram)
             if beacon is not None:
-                self._take(FoundSimulator(self._reached(str(sender[0])), beacon, self._now_s()))
+                self._take(NearbySimulator(self._reached(str(sender[0])), beacon, self._now_s()))
 
-    def _take(self, found: FoundSimulator) -> None:
+    def _take(self, found: NearbySimulator) -> None:
         """Keep the newest of each; where there are too many, the one that was not heard for longest goes."""
         self._heard[found.host, found.beacon.port] = found
         if len(self._heard) > _MOST:

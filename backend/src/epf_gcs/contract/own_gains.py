@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Final, Literal
 
 from epf_gcs.contract.answers import GainState, GainStateName
 from epf_gcs.contract.base import Shape
 
+MOST_ROWS: Final = 512
+"""Far more than any board has: a damaged count does not make the station ask for hours."""
 OwnGainType = Literal["f32", "i32", "u32", "flag", "enum"]
 OwnTableState = Literal["none", "unknown", "reading", "known"]
 """none: the board does not describe itself; unknown: it does, and its table was not read yet."""
@@ -94,7 +96,7 @@ class OwnGains(Shape):
 
 
 @dataclass(frozen=True, slots=True)
-class KnownGains(Shape):
+class AllGains(Shape):
     """All gains as far as they are known: the built-in ones by name, and the board's own."""
 
     built_in: Mapping[str, GainState]

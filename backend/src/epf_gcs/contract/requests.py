@@ -25,7 +25,7 @@ from epf_gcs.contract.answers import (
 )
 from epf_gcs.contract.base import ControlSource, PlanName, SimulatorProfile, StickSource, SurfacePath
 from epf_gcs.contract.inspector import Inspector
-from epf_gcs.contract.own_gains import KnownGains
+from epf_gcs.contract.own_gains import AllGains
 from epf_gcs.contract.playback import Playback
 from epf_gcs.contract.simulator_faults import FaultKind, FaultPlace, FaultState, SimulatedFaults, TurbulenceName
 from epf_gcs.contract.status import AlarmState, HilState, Status
@@ -189,29 +189,29 @@ class SetWind(Request[SimulatedFaults]):
 
 
 @dataclass(frozen=True, slots=True)
-class ReadParameters(Request[KnownGains]):
+class ReadParameters(Request[AllGains]):
     """The gains as far as they are known."""
 
 
 @dataclass(frozen=True, slots=True)
-class LoadParameters(Request[KnownGains]):
+class LoadParameters(Request[AllGains]):
     """Read all gains from the board."""
 
 
 @dataclass(frozen=True, slots=True)
-class SetParameters(Request[KnownGains]):
+class SetParameters(Request[AllGains]):
     """Write gains, built-in ones and the board's own, and read them back."""
 
     values: Mapping[str, float]
 
 
 @dataclass(frozen=True, slots=True)
-class UndoParameters(Request[KnownGains]):
+class UndoParameters(Request[AllGains]):
     """Take the newest step back."""
 
 
 @dataclass(frozen=True, slots=True)
-class RedoParameters(Request[KnownGains]):
+class RedoParameters(Request[AllGains]):
     """Do again what was taken back."""
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 import zlib
 from typing import Final
 
@@ -11,11 +10,11 @@ from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD, Frame
 from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY_BY_NAME
 from epf_gcs.lab.peer import Check, Lack, Peer, must_be
+from epf_gcs.vehicle.own_gains import SNAKE_CASE
 
 _DONE, _BAD_VALUE = 0, 1
 _GAIN: Final = 1
 _ENUM: Final = 5
-_SNAKE_CASE: Final = re.compile(r"[a-z][a-z0-9_]*")
 _SETTING: Final = COMMANDS["own_gain_set"]
 
 
@@ -46,7 +45,7 @@ def _describes(peer: Peer) -> None:
         crc32 = zlib.crc32(TELEMETRY_BY_NAME["description_row"].struct.pack(*values), crc32)
         must_be(number, row, f"the number in row {row}")
         must_be(kind, _GAIN, f"the kind of row {row}: only gains are in use")
-        if not _SNAKE_CASE.fullmatch(_text(name)) or name in names:
+        if not SNAKE_CASE.fullmatch(_text(name)) or name in names:
             raise Lack(f"row {row} is called {_text(name)!r}: a name is in snake_case and there is one of it")
         if not (minimum <= default <= maximum and 0.0 < step < math.inf):
             raise Lack(f"{_text(name)}: range {minimum:g}..{maximum:g}, step {step:g} and default {default:g} disagree")

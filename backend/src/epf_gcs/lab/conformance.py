@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from epf_gcs.codec.values import meaning
 from epf_gcs.lab.checks import ORIGINAL, PROGRAM
 from epf_gcs.lab.checks_of_damage import DAMAGE
 from epf_gcs.lab.checks_of_description import DESCRIBED
@@ -78,8 +79,8 @@ def _capabilities(peer: Peer) -> None:
 
 def _describes_itself(peer: Peer) -> bool:
     """By the capabilities that came last."""
-    return bool(int(peer.awaited("capabilities", "in answer to command 0x100").values[1]) & _DESCRIBES)
+    told = meaning(peer.awaited("capabilities", "in answer to command 0x100"))
+    return told.values["describes_itself"] is True
 
 
-_DESCRIBES: Final = 64
 _UNASKED: Final[tuple[str, Check]] = ("no extension is sent unasked", _nothing_unasked)

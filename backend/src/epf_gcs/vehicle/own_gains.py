@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Container, Iterable, Sequence
-from dataclasses import replace
 from typing import Final, cast
 
 from epf_gcs.codec.frame import Frame
@@ -18,13 +16,11 @@ from epf_gcs.contract.own_gains import (
     OwnGainType,
     RowFault,
 )
-from epf_gcs.vehicle.limits import limit_fault
-from epf_gcs.vehicle.parameters import BY_NAME
+from epf_gcs.vehicle import limits
+from epf_gcs.vehicle.parameters import BY_NAME, state_after_read
 
-MOST_ROWS: Final = 512
-"""Far more than any board has: a damaged count does not make the station ask for hours."""
 _ROW: Final = TELEMETRY_BY_NAME["description_row"]
-_SNAKE_CASE: Final = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+SNAKE_CASE: Final = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 _KIND_GAIN: Final = 1
 _TYPES: Final = cast(
     dict[int, OwnGainType],
@@ -58,9 +54,7 @@ def usable_rows(rows: Sequence[bytes | None]) -> tuple[tuple[OwnGainDefinition, 
 
 def value_fault(gain: OwnGainDefinition, value: float) -> str | None:
     """Why this value is not allowed, in one sentence; None if it is allowed."""
-    if gain.is_integer and math.isfinite(value) and value != int(value):
-        return f"{gain.name} must be a whole number, not {value:g}."
-    return limit_fault(gain.name, value, gain.minimum, gain.maximum)
+    return limits.value_fault(gain.name, value, gain.minimum, gain.maximum, is_integer=gain.is_integer)
 
 
 def as_held(value: float) -> float:
@@ -73,12 +67,7 @@ def after_read(held: OwnGainState, value: Json, now_s: float) -> OwnGainState:
     if not isinstance(value, int | float):
         return OwnGainState(loaded=held.loaded)
     found = shortest(float(value))
-    loaded = found if held.loaded is None else held.loaded
-    if held.state == "pending":
-        return replace(held, value=found, loaded=loaded, heard_s=now_s)
-    # A confirmed gain stays confirmed while the board still has that value; any other becomes `loaded`.
-    keeps = held.state == "confirmed" and held.value == found
-    return OwnGainState(found, "confirmed" if keeps else "loaded", loaded, now_s)
+    return OwnGainState(found, state_after_read(held, found), found if held.loaded is None else held.loaded, now_s)
 
 
 def unknown_values(gains: Iterable[OwnGainDefinition]) -> dict[str, OwnGainState]:
@@ -128,7 +117,7 @@ def _range_fault(gain: OwnGainDefinition) -> RowFault | None:
 
 
 def _in_snake_case(value: Json, reason: RowFault) -> str:
-    if not isinstance(value, str) or _SNAKE_CASE.fullmatch(value) is None:
+    if not isinstance(value, str) or SNAKE_CASE.fullmatch(value) is None:
         raise _FaultyRowError(reason)
     return value
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
@@ -11,7 +10,8 @@ from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.codec.tables import Parameter
 from epf_gcs.codec.values import Json, shortest, single
 from epf_gcs.contract.answers import GainState, GainStateName
-from epf_gcs.vehicle.limits import limit_fault
+from epf_gcs.contract.own_gains import OwnGainState
+from epf_gcs.vehicle.limits import value_fault
 
 BY_NAME: Final[Mapping[str, Parameter]] = {parameter.name: parameter for parameter in PARAMETERS}
 
@@ -36,6 +36,12 @@ UNKNOWN: Final[Held17] = dict.fromkeys(BY_NAME, GainRecord())
 def after_read(held: Held17, values: Mapping[str, Json]) -> Held17:
     """The gains after the board sent its values. A pending gain stays pending until its own confirmation."""
     return {name: _after_read(held[name], values.get(name)) for name in BY_NAME}
+
+
+def state_after_read(held: GainRecord | OwnGainState, found: float) -> GainStateName:
+    """A pending gain stays so until its end, a confirmed one while the board has that value; any other is loaded."""
+    keeps = held.state == "pending" or (held.state == "confirmed" and held.value == found)
+    return held.state if keeps else "loaded"
 
 
 def loaded_now(held: Held17) -> Held17:
@@ -81,21 +87,15 @@ def shown(name: str, value: float) -> float:
 def fault(name: str, value: float) -> str | None:
     """Why this value is not allowed, in one sentence; None if it is allowed."""
     parameter = BY_NAME[name]
-    if parameter.is_integer and math.isfinite(value) and value != int(value):
-        return f"{name} must be a whole number, not {value:g}."
     # The limit is compared as the wire will carry it: 99.99 is allowed although its nearest single is above it.
-    return limit_fault(name, value, parameter.minimum, parameter.maximum)
+    return value_fault(name, value, parameter.minimum, parameter.maximum, is_integer=parameter.is_integer)
 
 
 def _after_read(held: GainRecord, value: Json) -> GainRecord:
     if value is None or isinstance(value, str):
         return GainRecord(loaded=held.loaded)
-    loaded = float(value) if held.loaded is None else held.loaded
-    if held.state == "pending":
-        return replace(held, value=float(value), loaded=loaded)
-    # A confirmed gain stays confirmed while the board still has that value; any other becomes `loaded`.
-    keeps = held.state == "confirmed" and held.value == float(value)
-    return GainRecord(float(value), "confirmed" if keeps else "loaded", loaded)
+    found = float(value)
+    return GainRecord(found, state_after_read(held, found), found if held.loaded is None else held.loaded)
 
 
 def _same(parameter: Parameter, wanted: float, found: Json) -> bool:

@@ -1,4 +1,4 @@
-"""Faults are ordered from the embedded simulator, seen by everybody and noted, and refused where there is none."""
+"""Faults are ordered from the embedded simulator, seen by everybody and noted, and refused with another simulator."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ export interface FaultTableState {
 }
 
 /** A fault to begin: strength in the station's unit, `length_s` null until somebody ends it. */
-export interface WantedFault {
+export interface FaultRequest {
   readonly place: FaultChoice["place"];
   readonly kind: FaultChoice["kind"];
   readonly start_s: number;
@@ -23,7 +23,7 @@ export interface WantedFault {
 export interface Faults {
   readonly store: StoreApi<FaultTableState>;
   readonly read: () => Promise<void>;
-  readonly begin: (fault: WantedFault) => Promise<void>;
+  readonly begin: (fault: FaultRequest) => Promise<void>;
   /** End one, or all without an id. */
   readonly end: (id?: string) => Promise<void>;
   readonly blow: (wind: WindState) => Promise<void>;

@@ -1,8 +1,10 @@
 import type { TFunction } from "i18next";
+import { plain } from "../../lib/plain";
+import { DEGREES_PER_RADIAN } from "../../lib/units";
 import type { FaultChoice, FaultState } from "../../protocol/guards.gen";
 
 /** How a strength is shown: by what the station's number is multiplied, and the unit's word. */
-interface ShownUnit {
+interface StrengthUnit {
   readonly factor: number;
   readonly word:
     | "deg"
@@ -19,10 +21,9 @@ interface ShownUnit {
     | "travel";
 }
 
-const DEG_PER_RAD = 180 / Math.PI;
-const UNITS: Readonly<Record<string, ShownUnit>> = {
-  "rad/s": { factor: DEG_PER_RAD, word: "degPerS" },
-  "rad/s/s": { factor: DEG_PER_RAD, word: "degPerS2" },
+const UNITS: Readonly<Record<string, StrengthUnit>> = {
+  "rad/s": { factor: DEGREES_PER_RADIAN, word: "degPerS" },
+  "rad/s/s": { factor: DEGREES_PER_RADIAN, word: "degPerS2" },
   deg: { factor: 1, word: "deg" },
   "deg/s": { factor: 1, word: "degPerS" },
   kt: { factor: 1, word: "kt" },
@@ -38,7 +39,7 @@ const UNITS: Readonly<Record<string, ShownUnit>> = {
 const DIGITS = 3;
 
 /** Null for a fault without a strength. */
-export function shownUnit(unit: string): ShownUnit | null {
+export function shownUnit(unit: string): StrengthUnit | null {
   return UNITS[unit] ?? null;
 }
 
@@ -86,8 +87,4 @@ export function grouped(
     }
   }
   return groups;
-}
-
-function plain(text: string): string {
-  return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
 }

@@ -1,3 +1,4 @@
+import { plain } from "../../lib/plain";
 import type { FlightEvent } from "../../protocol/guards.gen";
 import type { Message, MessageLevel, SaidMessage } from "../../store/messages";
 import type { EventMessage, LogGroup } from "./flightLog";
@@ -96,12 +97,4 @@ function levelOf({ kind, name, data }: FlightEvent, group: LogGroup, message: Me
   }
   // A line that was opened is no trouble, and one that was closed may be.
   return group === "trouble" && !(kind === "link" && name.endsWith("_opened")) ? "warning" : message.level;
-}
-
-/** Small letters without accents: "Alineación" is found by "alineacion". */
-function plain(text: string): string {
-  return text
-    .normalize("NFD")
-    .replace(/\p{Mark}/gu, "")
-    .toLowerCase();
 }

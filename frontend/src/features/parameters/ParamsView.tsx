@@ -1,12 +1,13 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { plain } from "../../lib/plain";
 import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { type Diff, DiffDialog } from "./DiffDialog";
-import { type Filter, passes, plain } from "./gainFilter";
+import { type Filter, passes } from "./gainFilter";
 import { Journal } from "./Journal";
 import { OwnGains, OwnTableState, useGroupName } from "./OwnGains";
 import { ParameterRow } from "./ParameterRow";

@@ -17,8 +17,3 @@ export function passes(
       return value !== null && loaded !== null && value !== loaded;
   }
 }
-
-/** Without accents and capitals: what people type when they search. */
-export function plain(text: string): string {
-  return text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
-}

@@ -1,6 +1,6 @@
-import { useEffect } from "react";
 import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
-import { useConnection, usePart } from "../../store/hooks";
+import { useFresh } from "../../requests/useFresh";
+import { usePart } from "../../store/hooks";
 import { PARAMETER_REQUESTS } from "./parameterValues";
 
 /** The definition of each parameter by its name. */
@@ -12,12 +12,5 @@ export const INFO = Object.fromEntries(PARAMETERS.map((info) => [info.name, info
  * Keeps the page's copy of the gains and their journal up to date while this is shown; nothing is asked of the board.
  */
 export function useFreshParameters(): void {
-  const parameters = usePart(PARAMETER_REQUESTS);
-  const isOpen = useConnection(({ phase }) => phase === "open");
-  const client = useConnection((connection) => connection.client);
-  useEffect(() => {
-    if (isOpen && client !== null) {
-      void parameters.refresh();
-    }
-  }, [parameters, isOpen, client]);
+  useFresh(usePart(PARAMETER_REQUESTS).refresh);
 }

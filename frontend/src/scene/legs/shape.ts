@@ -58,17 +58,21 @@ const CORNERS = 48;
  * board's.
  */
 export function linesOf(plan: DrawnPlan): readonly Line[] {
-  const { waypoints, board, active, loops, unsent, selected, chosen } = plan;
+  const { waypoints, board, active, loops, turnBank_deg, unsent, selected, chosen } = plan;
   const flown = board === null ? active : null;
-  const own = drawnLegs(plan).map(({ from, to, row }) =>
+  const legs = drawnLegs(plan);
+  const own = legs.map(({ from, to, row }) =>
     leg(row === flown ? "activeLeg" : unsent[row] || unsent[row - 1] ? "unsentLeg" : "leg", from, to),
   );
   const old = legsOf(board ?? [], loops).map(({ from, to, row }) =>
     leg(row === active ? "activeLeg" : "oldLeg", from, to),
   );
-  const rings = waypoints.flatMap((waypoint, row) =>
-    captureOf(plan, waypoint, row, row === flown ? "activeRing" : "ring"),
-  );
+  const rings = waypoints.flatMap((waypoint, row) => {
+    const kind = row === flown ? "activeRing" : "ring";
+    return turnBank_deg === null
+      ? [circle(waypoint, kind)]
+      : captureOf(legs, waypoint, row, turnBank_deg, kind);
+  });
   const target = board === null || active === null ? undefined : board[active];
   const stems = waypoints.map((waypoint, row) =>
     stem(waypoint, row === selected || chosen.includes(row) ? "selectedStem" : "stem"),
@@ -135,13 +139,14 @@ function circle(waypoint: Waypoint, kind: "ring" | "activeRing"): Line {
   return { kind, places: around.map((place) => inSpace({ ...place, altitude_ft })) };
 }
 
-/** Where a waypoint counts as reached: within a circle, or at a line that the law has passed, behind its turn. */
-function captureOf(plan: DrawnPlan, at: Waypoint, row: number, kind: "ring" | "activeRing"): readonly Line[] {
-  const { turnBank_deg } = plan;
-  if (turnBank_deg === null) {
-    return [circle(at, kind)];
-  }
-  const legs = drawnLegs(plan);
+/** The line at which the line law counts a waypoint as reached, and its turn there. */
+function captureOf(
+  legs: readonly LegEnds[],
+  at: Waypoint,
+  row: number,
+  turnBank_deg: number,
+  kind: "ring" | "activeRing",
+): readonly Line[] {
   const before = legs.find((one) => one.row === row)?.from;
   const after = legs.find((one) => one.from === at)?.to ?? null;
   const turn = before === undefined ? null : turnAt(before, at, after, turnBank_deg);

@@ -12,6 +12,7 @@ from epf_gcs.codec.values import Json, Meaning, meaning
 from epf_gcs.contract.answers import CommandOutcome, WriteOutcome
 from epf_gcs.contract.events import OwnGainsEvent
 from epf_gcs.contract.own_gains import (
+    MOST_ROWS,
     LeftOutRow,
     OwnGainDefinition,
     OwnGains,
@@ -24,7 +25,7 @@ from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.own_table import OwnTableReader
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
-from epf_gcs.vehicle.own_gains import MOST_ROWS, after_read, as_held, unknown_values, usable_rows, value_fault
+from epf_gcs.vehicle.own_gains import after_read, as_held, unknown_values, usable_rows, value_fault
 
 
 class OwnGainValues:

@@ -12,12 +12,12 @@ import orjson
 
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.codec.values import meaning
+from epf_gcs.contract.own_gains import MOST_ROWS
 from epf_gcs.disk import KeptFile
 from epf_gcs.errors import BoardError, GatewayError
 from epf_gcs.flight.board.answers import answer_of
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.own_gains import MOST_ROWS
 
 # A progress that people see move, in a few events.
 _TOLD_EVERY: Final = 8

@@ -9,7 +9,7 @@ from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Handler, Handlers
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.answers import CommandOutcome, ParameterJournal
-from epf_gcs.contract.own_gains import KnownGains
+from epf_gcs.contract.own_gains import AllGains
 from epf_gcs.contract.requests import (
     LoadParameters,
     ReadJournal,
@@ -30,20 +30,20 @@ from epf_gcs.vehicle.parameters import gain_state
 def parameter_requests(parameters: Parameters) -> Handlers:
     """All that change gains answer with what is known of them then."""
 
-    def held() -> KnownGains:
-        return KnownGains({name: gain_state(name, one) for name, one in parameters.held.items()}, parameters.own.known)
+    def held() -> AllGains:
+        return AllGains({name: gain_state(name, one) for name, one in parameters.held.items()}, parameters.own.known)
 
     def then_held(do: Callable[[str | None], Awaitable[None]]) -> Handler:
-        async def answer(_: Request[Any], by: Asker) -> KnownGains:
+        async def answer(_: Request[Any], by: Asker) -> AllGains:
             await do(by.client)
             return held()
 
         return answer
 
-    async def read(_: ReadParameters, __: Asker) -> KnownGains:
+    async def read(_: ReadParameters, __: Asker) -> AllGains:
         return held()
 
-    async def write(request: SetParameters, by: Asker) -> KnownGains:
+    async def write(request: SetParameters, by: Asker) -> AllGains:
         await parameters.set(dict(request.values), by.client)
         return held()
 

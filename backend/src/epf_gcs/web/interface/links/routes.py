@@ -7,7 +7,7 @@ from fastapi import APIRouter, status
 from epf_gcs.contract.answers import LinkResult
 from epf_gcs.contract.requests import CloseBoard, CloseSimulator, OpenBoard, OpenSimulator, ReadPorts
 from epf_gcs.web.interface.deps import BeaconsDep, OperatorDep, VehicleDep
-from epf_gcs.web.interface.links.schemas import BoardLink, Ports, SimulatorHeard, SimulatorLink, SimulatorsHeard
+from epf_gcs.web.interface.links.schemas import BoardLink, NearbySimulator, NearbySimulators, Ports, SimulatorLink
 from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(tags=["links"])
@@ -20,11 +20,11 @@ async def get_ports(vehicle: VehicleDep) -> Ports:
 
 
 @router.get("/simulators", responses=reading_problems())
-async def get_simulators(beacons: BeaconsDep) -> SimulatorsHeard:
+async def get_simulators(beacons: BeaconsDep) -> NearbySimulators:
     """The X-Planes that say on the network that they are there; listened to while somebody asks every few seconds."""
-    return SimulatorsHeard(
+    return NearbySimulators(
         simulators=[
-            SimulatorHeard(
+            NearbySimulator(
                 name=found.beacon.name,
                 host=found.host,
                 port=found.beacon.port,

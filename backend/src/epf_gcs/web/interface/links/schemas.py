@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from pydantic import Field
 
 from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
 from epf_gcs.contract.answers import PortState
+from epf_gcs.contract.base import SimulatorProfile
 from epf_gcs.contract.shapes import Input, Output, Port
 
 
@@ -23,20 +22,20 @@ class BoardLink(Input):
     url: str = Field(min_length=1, max_length=500)
 
 
-class SimulatorHeard(Output):
+class NearbySimulator(Output):
     """An X-Plane heard within the last 5 s: its computer's name, its version, and how its rows are read."""
 
     name: str
     host: str
     port: int
     version: str
-    profile: Literal["xp10", "xp12"]
+    profile: SimulatorProfile
 
 
-class SimulatorsHeard(Output):
+class NearbySimulators(Output):
     """All X-Planes on the networks of the station's computer."""
 
-    simulators: list[SimulatorHeard]
+    simulators: list[NearbySimulator]
 
 
 class SimulatorLink(Input):
@@ -45,5 +44,5 @@ class SimulatorLink(Input):
     receive_port: Port = RECEIVE_PORT
     send_host: str = Field("127.0.0.1", min_length=1, max_length=253, pattern=r"^[A-Za-z0-9._:\-]+$")
     send_port: Port = SEND_PORT
-    profile: Literal["xp10", "xp12"] = "xp10"
+    profile: SimulatorProfile = "xp10"
     tells_rows: bool = False

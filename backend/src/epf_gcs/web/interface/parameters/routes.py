@@ -8,7 +8,7 @@ from fastapi import APIRouter, Body
 
 from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.contract.answers import CommandOutcome, ParameterJournal, ParameterState
-from epf_gcs.contract.own_gains import KnownGains
+from epf_gcs.contract.own_gains import MOST_ROWS, AllGains
 from epf_gcs.contract.requests import (
     LoadParameters,
     ReadJournal,
@@ -24,8 +24,7 @@ from epf_gcs.web.serving.problems import problems, reading_problems
 
 router = APIRouter(prefix="/parameters", tags=["parameters"])
 
-# All of the 17, and more of its own than a board has.
-_MOST_CHANGES: Final = 529
+_MOST_CHANGES: Final = len(PARAMETERS) + MOST_ROWS
 
 
 @router.get("", responses=reading_problems(409))
@@ -75,6 +74,6 @@ async def store_parameters(vehicle: VehicleDep, operator: OperatorDep) -> Comman
     return await vehicle.ask(StoreParameters(), operator)
 
 
-def _parameters(known: KnownGains) -> ParameterList:
+def _parameters(known: AllGains) -> ParameterList:
     built_in = [ParameterState.of(gain, known.built_in[gain.name]) for gain in PARAMETERS]
     return ParameterList(parameters=built_in, own=known.own)
