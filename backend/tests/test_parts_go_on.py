@@ -26,7 +26,7 @@ TURNS: dict[str, tuple[str, str, dict[str, float]]] = {
     "flight.flight": ("Flight", "_send_status", {}),
     "flight.hil.emulation": ("EmulationLink", "_step", {}),
     "flight.hil.hil": ("Hil", "show", {}),
-    "flight.hil.simulator_faults": ("SimulatorFaultControl", "_look", {"_ASK_S": SOON_S}),
+    "flight.hil.simulator_faults": ("SimulatorFaultControl", "_look", {"_LOOK_S": SOON_S}),
     "flight.state.advised": ("AdviceWatch", "_look", {"_EVERY_S": SOON_S}),
     "flight.state.housekeeping": ("Housekeeping", "_tick", {}),
     "library.queries": ("Queries", "_look", {"_LOOK_EVERY_S": SOON_S}),

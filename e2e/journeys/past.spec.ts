@@ -126,10 +126,10 @@ async function flown(page: Page, language: Language, seconds: number): Promise<v
     .toBeGreaterThan(seconds);
 }
 
-test("a pilot looks ten seconds back in flight, sees the present beside it, and opens the flight after landing", async ({
-  page,
-  flying,
-}) => {
+test("a pilot looks ten seconds back in flight, sees the present beside it, and opens the flight after landing", {
+  // A question about the running flight that arrives after its end is refused.
+  tag: "@refused",
+}, async ({ page, flying }) => {
   const record = new LiveRecord(page);
   await open(page, flying);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();

@@ -180,12 +180,13 @@ def make_loop(common: Common, parts: BoardParts, owner: Owner) -> LoopParts:
     hil.path = "assisted" if memory.now.hil_path == "assisted" else "manual"
     simulator = Simulator(hil, clock, simulator_tap, report, owner.on_line)
     faults = SimulatorFaultControl(
-        simulator,
+        simulator.order,
         common.outlet,
         clock,
         lambda flown: common.notes.know(EVENT, {"event": "faults", "data": flown}, "faults"),
         owner.changed,
     )
+    simulator.on_report = faults.on_datagram
     opener = LinkOpener(hil, lambda: simulator.address is not None)
     supervisor = Supervisor(
         board,

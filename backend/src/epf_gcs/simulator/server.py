@@ -20,6 +20,9 @@ _LONGEST_DATAGRAM: Final = 4096
 _AT_ONCE: Final = 64
 # Lock-step: without an answer for this long the rows are sent again, because rows or answer may have been lost.
 _ANSWER_TIMEOUT_S: Final = 1.0
+# How often the station hears what goes wrong here, and so that faults may be ordered. X-Plane says nothing of the kind,
+# and is sent no orders.
+_REPORT_EVERY_S: Final = 0.5
 # Longest sleep of the loop between checks whether it is asked to stop.
 _LONGEST_WAIT_S: Final = 0.2
 
@@ -50,9 +53,8 @@ class Server:
         self._station = station
         self._pace = pace
         self._asked_to_stop = asked_to_stop
-        # Who ordered a fault last, or asked for a report: told of each that begins or ends.
-        self._asker: Address | None = None
         self._marks: tuple[tuple[str, bool], ...] = ()
+        self._report_due_s = 0.0
         self.datagrams_sent = 0
         self.send_failures = 0
         self.stalls = 0
@@ -110,40 +112,41 @@ class Server:
             self._marks = marks
             self._report()
 
-    def _obey(self, datagram: bytes, sender: Address) -> None:
+    def _obey(self, datagram: bytes) -> None:
         order = read_datagram(datagram, FaultOrder)
         if order is None:
             self._simulation.inputs.counts.bad_datagrams += 1
             return
-        self._asker = sender
         self._simulation.obey(order)
         self._report()
 
     def _report(self) -> None:
-        if self._asker is None:
-            return
-        try:
-            self._socket.sendto(fault_datagram(self._simulation.faults.report(self._simulation.time_s)), self._asker)
-        except OSError:
-            self.send_failures += 1
+        self._report_due_s = time.monotonic() + _REPORT_EVERY_S
+        self._send_one(fault_datagram(self._simulation.faults.report(self._simulation.time_s)))
 
     def _send(self, datagrams: list[bytes]) -> None:
         for datagram in datagrams:
-            try:
-                self._socket.sendto(datagram, self._station)
-                self.datagrams_sent += 1
-            except OSError:
-                # Nobody listens yet, or there is no network: count it and go on, as X-Plane does.
-                self.send_failures += 1
+            self.datagrams_sent += self._send_one(datagram)
+
+    def _send_one(self, datagram: bytes) -> bool:
+        try:
+            self._socket.sendto(datagram, self._station)
+        except OSError:
+            # Nobody listens yet, or there is no network: count it and go on, as X-Plane does.
+            self.send_failures += 1
+            return False
+        return True
 
     def _receive(self, timeout_s: float) -> int:
         """Wait for datagrams up to `timeout_s`; returns how many commands were among those taken."""
+        if time.monotonic() >= self._report_due_s:
+            self._report()
         wait_s = min(max(timeout_s, 0.0), _LONGEST_WAIT_S)
         ready, _, _ = select.select([self._socket], [], [], wait_s)
         commands = 0
         for _ in range(_AT_ONCE if ready else 0):
             try:
-                datagram, sender = self._socket.recvfrom(_LONGEST_DATAGRAM)
+                datagram = self._socket.recv(_LONGEST_DATAGRAM)
             except BlockingIOError:
                 break
             except OSError:
@@ -151,7 +154,7 @@ class Server:
                 self.send_failures += 1
                 continue
             if datagram.startswith(MAGIC):
-                self._obey(datagram, sender)
+                self._obey(datagram)
             else:
                 commands += self._simulation.receive(datagram)
         return commands

@@ -233,13 +233,15 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
 ) -> None:
     await connect(station, board, "joystick")
 
+    def alarms() -> set[str]:
+        return {alarm.id for alarm in station.status().alarms if alarm.until_s is None}
+
     def paused(*, raised: bool) -> bool:
         simulator.send(WHOLE)
-        alarms = {alarm.id for alarm in station.status().alarms if alarm.until_s is None}
-        return station.status().simulator.paused and ("simulator_paused" in alarms) == raised
+        return station.status().simulator.paused and ("simulator_paused" in alarms()) == raised
 
     await eventually_async(lambda: paused(raised=True), "it is paused, and the alarm comes")
-    assert "hil_lost" not in {alarm.id for alarm in station.status().alarms}
+    assert "hil_lost" not in alarms()
     newest = await station._requests[ReadTelemetry](ReadTelemetry(), Asker())
     assert {topic for topic, one in newest.items() if one.stale} >= {"simulator", "xplane_info"}, "not live"
     answers, sent = station.hil.round_trip.answers, station.hil.frames_to_board

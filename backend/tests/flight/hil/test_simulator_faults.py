@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import socket
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -151,46 +150,6 @@ async def test_what_cannot_be_flown_is_refused_in_words(station: Flight, request
     assert refused.value.code == code
 
 
-class Deaf:
-    """A simulator that reports, and obeys only as the test says."""
-
-    def __init__(self, obeys: Callable[[FaultOrder], FaultReport | None]) -> None:
-        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.socket.bind(("127.0.0.1", 0))
-        self.socket.setblocking(False)
-        self.orders: list[FaultOrder] = []
-        self._obeys = obeys
-
-    @property
-    def orders_to(self) -> tuple[str, int]:
-        return self.socket.getsockname()[:2]  # type: ignore[no-any-return]
-
-    def answer(self) -> bool:
-        """Answer what has come; whether anything had."""
-        try:
-            data, sender = self.socket.recvfrom(4096)
-        except BlockingIOError:
-            return False
-        order = read_datagram(data, FaultOrder)
-        assert order is not None
-        self.orders.append(order)
-        report = self._obeys(order)
-        if report is not None:
-            self.socket.sendto(datagram(report), sender)
-        return True
-
-    def has_reported_to(self, faults: SimulatorFaultControl) -> bool:
-        self.answer()
-        return faults.flown is not None
-
-
-class Place:
-    """Where orders go, as the test says."""
-
-    def __init__(self, orders_to: tuple[str, int]) -> None:
-        self.orders_to = orders_to
-
-
 class Outlet:
     def __init__(self) -> None:
         self.events: list[Event] = []
@@ -200,59 +159,81 @@ class Outlet:
 
 
 class Moment:
+    """A clock in the test's hand."""
+
+    def __init__(self) -> None:
+        self.s = 1000.0
+
     def now_s(self) -> float:
-        return 1000.0
+        return self.s
+
+    def steady_s(self) -> float:
+        return self.s
 
 
-def control(place: Deaf | Place, known: list[Mapping[str, object]]) -> SimulatorFaultControl:
-    return SimulatorFaultControl(place, Outlet(), Moment(), known.append, lambda: None)  # type: ignore[arg-type]
+class Deaf:
+    """A simulator that reports, and obeys no order."""
+
+    def __init__(self) -> None:
+        self.orders: list[FaultOrder] = []
+        self.known: list[Mapping[str, object]] = []
+        self.moment = Moment()
+        self.faults = SimulatorFaultControl(
+            self._take,
+            Outlet(),  # type: ignore[arg-type]
+            self.moment,  # type: ignore[arg-type]
+            self.known.append,
+            lambda: None,
+        )
+
+    def _take(self, data: bytes) -> None:
+        order = read_datagram(data, FaultOrder)
+        assert order is not None
+        self.orders.append(order)
+
+    def report(self, wind: WindState, *faults: FlownFault) -> None:
+        self.faults.on_datagram(datagram(FaultReport(0, wind, faults)))
 
 
 async def test_an_order_is_sent_again_until_it_is_obeyed_and_then_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(simulator_faults, "_TRY_S", 0.01)
-    deaf = Deaf(lambda order: FaultReport(order.serial, WindState(), ()))
-    known: list[Mapping[str, object]] = []
-    faults = control(deaf, known)
-    with deaf.socket:
-        await faults._look()
-        await eventually_async(lambda: deaf.has_reported_to(faults), "it answers")
-        with pytest.raises(UnavailableError, match="does not answer"):
-            await faults.begin(Fault("gyro", "bias", 0.0))
-        while deaf.answer():
-            pass
-        assert [order.begin is None for order in deaf.orders] == [True] + [False] * simulator_faults._TRIES
-        assert len({order.begin.id for order in deaf.orders if order.begin is not None}) == 1
-        faults._hang_up()
+    deaf = Deaf()
+    deaf.report(WindState())
+    with pytest.raises(UnavailableError, match="does not answer"):
+        await deaf.faults.begin(Fault("gyro", "bias", 0.0))
+    assert len(deaf.orders) == simulator_faults._TRIES
+    assert len({order.begin.id for order in deaf.orders if order.begin is not None}) == 1
+
+
+async def test_a_simulator_that_says_nothing_of_faults_is_sent_no_order() -> None:
+    deaf = Deaf()
+    await deaf.faults._look()
+    deaf.faults.on_datagram(b"EPFS?")
+    with pytest.raises(ConflictError, match="none is in the loop"):
+        await deaf.faults.blow(WindState(90.0, 5.0))
+    assert deaf.orders == []
 
 
 async def test_the_recording_knows_what_is_flown_and_a_replay_reads_it_back() -> None:
-    fault = FlownFault("a", Fault("gps", "jump", 5.0, 20.0), -1.0, 19.0, 50)
-    deaf = Deaf(lambda order: FaultReport(order.serial, WindState(90.0, 5.0), (fault,)))
-    known: list[Mapping[str, object]] = []
-    faults = control(deaf, known)
-    with deaf.socket:
-        await faults._look()
-        await eventually_async(lambda: deaf.has_reported_to(faults), "it answers")
-        now = faults.flown
-        assert now is not None
-        assert [(one.begins_s, one.ends_s, one.strength) for one in now.faults] == [(999.0, 1019.0, 100.0)]
-        assert noted_faults(known[-1]) == now
-        faults._hang_up()
-        assert noted_faults(known[-1]) is None
+    deaf = Deaf()
+    deaf.report(WindState(90.0, 5.0), FlownFault("a", Fault("gps", "jump", 5.0, 20.0), -1.0, 19.0, 50))
+    now = deaf.faults.flown
+    assert now is not None
+    assert [(one.begins_s, one.ends_s, one.strength) for one in now.faults] == [(999.0, 1019.0, 100.0)]
+    assert noted_faults(deaf.known[-1]) == now
+    deaf.faults.on_datagram(None)
+    assert noted_faults(deaf.known[-1]) is None
 
 
-async def test_an_address_that_cannot_be_reached_is_tried_again() -> None:
-    deaf = Deaf(lambda order: FaultReport(order.serial, WindState(), ()))
-    reachable = deaf.orders_to
-    place = Place(("no.such.host.invalid", 49000))
-    faults = control(place, [])
-    with deaf.socket:
-        await faults._look()
-        assert faults.flown is None
-        place.orders_to = reachable
-        await faults._look()
-        await eventually_async(lambda: deaf.has_reported_to(faults), "it answers")
-        faults._hang_up()
+async def test_a_simulator_is_gone_when_it_has_said_nothing_for_five_seconds() -> None:
+    deaf = Deaf()
+    deaf.report(WindState())
+    deaf.moment.s += 4.9
+    await deaf.faults._look()
+    assert deaf.faults.flown is not None
+    deaf.moment.s += 0.2
+    await deaf.faults._look()
+    assert deaf.faults.flown is None
 
 
 @pytest.mark.parametrize("content", [{}, {"flown": 3}, {"flown": {"faults": [{"id": 1}], "wind": {}}}])

@@ -79,6 +79,8 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
         self._decode = clock.decoding(hil.on_datagram)
         self._report = report
         self._last_datagram_s: float | None = None
+        # What the embedded simulator says of its faults; None: nobody says anything any more.
+        self.on_report: Callable[[bytes | None], None] = lambda _: None
         self.datagrams = 0
         self.bytes_in = 0
         self.dropped: Counter[str] = Counter()
@@ -108,12 +110,6 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
         return None if link is None else link.pinned
 
     @property
-    def orders_to(self) -> tuple[str, int] | None:
-        """Where an embedded simulator takes orders; None until its rows have come."""
-        address = self.address
-        return None if address is None or self.pinned is None else (address.send_host, address.send_port)
-
-    @property
     def state(self) -> State:
         """closed; opening: listening and nothing heard yet; open: it sends; lost: it stopped, or the port is taken."""
         if self.address is None:
@@ -127,6 +123,11 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
     def want(self, address: SimulatorAddress) -> None:
         """Listen here as soon as it can be done; for the start, when nobody waits for an answer."""
         self._kept.want(address)
+
+    def order(self, datagram: bytes) -> None:
+        """Send it, if the socket is open. Only the embedded simulator knows what an order is."""
+        if self._kept.link is not None:
+            self._kept.link.send(datagram)
 
     async def close(self) -> None:
         """Hand the controls back and stop listening."""
@@ -158,6 +159,7 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
         link.send(release_datagram())
         link.close()
         self._hil.end()
+        self.on_report(None)
 
     def _on_datagram(self, datagram: bytes) -> None:
         if self._decode(datagram):
@@ -166,7 +168,7 @@ class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
             self.bytes_in += len(datagram)
             return
         if datagram.startswith(REPORT_MAGIC):
-            # The embedded simulator's word on its faults, which a relay between the two has brought to this port.
+            self.on_report(datagram)
             return
         self.dropped["malformed"] += 1
         self._report(

@@ -1,7 +1,7 @@
 """Faults and wind of the embedded simulator: ordered, watched, told to the viewers and noted in the recording.
 
-They travel on a socket of their own, to the port at which the simulator takes the surfaces: the HIL path is left alone.
-X-Plane does not answer there, by which the two are told apart.
+The simulator says what goes wrong there, unasked, beside its rows. X-Plane says nothing of the kind, and is
+sent no orders.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import asyncio
 import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
-from typing import Final, Literal, Protocol, cast
+from typing import Final, Literal, cast
 from uuid import uuid4
 
 from epf_gcs.clock import Clock
@@ -35,53 +35,34 @@ from epf_gcs.errors import ConflictError, InvalidInputError, NotFoundError, Unav
 from epf_gcs.repeating import repeat
 from epf_gcs.vehicle.outside import Outlet
 
-_ASK_S: Final = 0.5
+_LOOK_S: Final = 0.5
+# The simulator is gone when it has said nothing for so long.
+_GONE_S: Final = 5.0
 # An order is sent so often, with this pause, until its report comes.
 _TRIES: Final = 10
 _TRY_S: Final = 0.5
-# The simulator is X-Plane, or is gone, when it has left so many orders unanswered: then it is asked now and again.
-_UNANSWERED: Final = 10
-_SELDOM: Final = 20
-
-
-class SimulatorPlace(Protocol):
-    """Where the simulator takes datagrams."""
-
-    @property
-    def orders_to(self) -> tuple[str, int] | None:
-        """Host and port; None until its rows have come."""
-
-
-class _Wire(asyncio.DatagramProtocol):
-    def __init__(self, heard: Callable[[bytes], None]) -> None:
-        self._heard = heard
-
-    def datagram_received(self, data: bytes, addr: object) -> None:
-        self._heard(data)
 
 
 class SimulatorFaultControl:
-    """`on_change`: what is flown has changed. `know`: for the recording, what is flown from now on."""
+    """`send`: a datagram to the simulator. `on_change`: what is flown has changed. `know`: for the recording."""
 
     def __init__(
         self,
-        place: SimulatorPlace,
+        send: Callable[[bytes], None],
         outlet: Outlet,
         clock: Clock,
         know: Callable[[Mapping[str, object]], None],
         on_change: Callable[[], None],
     ) -> None:
-        self._place = place
+        self._send = send
         self._outlet = outlet
         self._clock = clock
         self._know = know
         self._on_change = on_change
-        self._transport: asyncio.DatagramTransport | None = None
-        self._address: tuple[str, int] | None = None
         self._serial = 0
-        self._unanswered = 0
         self._answered = asyncio.Event()
         self._report: FaultReport | None = None
+        self._heard_s = 0.0
         self._states: dict[str, FaultState] = {}
 
     @property
@@ -93,11 +74,19 @@ class SimulatorFaultControl:
         return SimulatedFaults(faults, self._report.wind)
 
     async def run(self) -> None:
-        """Ask the simulator periodically, forever."""
-        try:
-            await repeat(_ASK_S, "faults of the simulator", self._look)
-        finally:
-            self._hang_up()
+        """Miss the simulator when it is gone, forever."""
+        await repeat(_LOOK_S, "faults of the simulator", self._look)
+
+    async def _look(self) -> None:
+        if self._clock.steady_s() - self._heard_s > _GONE_S:
+            self._take(None)
+
+    def on_datagram(self, data: bytes | None) -> None:
+        """A report of the simulator; None: its port was closed."""
+        report = None if data is None else read_datagram(data, FaultReport)
+        if data is None or report is not None:
+            self._heard_s = self._clock.steady_s()
+            self._take(report)
 
     async def begin(self, fault: Fault) -> FaultState:
         """Let it begin `start_s` from now. Raises InvalidInputError, ConflictError, UnavailableError."""
@@ -136,7 +125,7 @@ class SimulatorFaultControl:
         self._check()
         for _ in range(_TRIES):
             self._answered.clear()
-            self._send(order)
+            self._send(datagram(order))
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(_TRY_S):
                     while not is_done():
@@ -157,43 +146,6 @@ class SimulatorFaultControl:
     def _next(self) -> int:
         self._serial += 1
         return self._serial
-
-    async def _look(self) -> None:
-        address = self._place.orders_to
-        if address != self._address:
-            self._hang_up()
-            if address is not None:
-                await self._call(address)
-        if self._unanswered >= _UNANSWERED:
-            self._take(None)
-        if self._unanswered < _UNANSWERED or self._unanswered % _SELDOM == 0:
-            self._send(FaultOrder(self._next()))
-        self._unanswered += 1
-
-    async def _call(self, address: tuple[str, int]) -> None:
-        loop = asyncio.get_running_loop()
-        # An address that cannot be reached now is tried again at the next look.
-        with contextlib.suppress(OSError):
-            self._transport, _ = await loop.create_datagram_endpoint(
-                lambda: _Wire(self._on_datagram), remote_addr=address
-            )
-            self._address = address
-
-    def _hang_up(self) -> None:
-        if self._transport is not None:
-            self._transport.close()
-        self._transport, self._address, self._unanswered = None, None, 0
-        self._take(None)
-
-    def _send(self, order: FaultOrder) -> None:
-        if self._transport is not None:
-            self._transport.sendto(datagram(order))
-
-    def _on_datagram(self, data: bytes) -> None:
-        report = read_datagram(data, FaultReport)
-        if report is not None:
-            self._unanswered = 0
-            self._take(report)
 
     def _take(self, report: FaultReport | None) -> None:
         """Compare with what was known, and tell what has changed; None: the simulator is gone."""
@@ -245,4 +197,4 @@ def _event(state: Literal["begun", "ended"], fault: FaultState, frames: int | No
 
 def _kept(before_s: float | None, now_s: float) -> float:
     """The earlier figure while the two differ by no more than the ways of datagrams do."""
-    return now_s if before_s is None or abs(before_s - now_s) > _ASK_S else before_s
+    return now_s if before_s is None or abs(before_s - now_s) > _LOOK_S else before_s
