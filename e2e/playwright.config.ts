@@ -36,7 +36,7 @@ export default defineConfig({
   // For what hangs, and longer than several waits one after the other: a walk through every tab takes minutes where the
   // globe is drawn by the processor alone.
   timeout: 1_200_000,
-  expect: { timeout: PATIENCE_MS },
+  expect: { timeout: PATIENCE_MS, toPass: { timeout: PATIENCE_MS } },
   reporter: process.env.PLAYWRIGHT_JUNIT_OUTPUT_FILE ? [["list"], ["junit"]] : [["list"]],
   use: {
     browserName: "chromium",

@@ -36,12 +36,13 @@ async function walk(page: Page, tab: string): Promise<void> {
     await page.keyboard.press("Tab");
     const at = await stop(page);
     if (at === null) {
-      // Behind the last stop the focus leaves the page. An alarm that ends takes its focused button with it as well:
-      // then the next press goes on beside its place.
+      // Behind the last stop the focus leaves the page. An alarm that ends takes its focused button with it as well,
+      // however often: then the next press goes on beside its place.
       nowhere += 1;
       if (nowhere > 1 || stops.some(({ isInPanel }) => isInPanel)) break;
       continue;
     }
+    nowhere = 0;
     if (stops.length > 3 && at.what === stops[0]?.what) break;
     stops.push(at);
   }

@@ -23,10 +23,17 @@ export class LiveRecord {
     });
   }
 
-  /** The value that held at a moment (Unix seconds). Throws if nothing was heard before. */
+  /**
+   * The value at a moment (Unix seconds), on the line between the samples before and after: while the page was away from
+   * its station, it heard none. Throws if nothing was heard before or after.
+   */
   at(t_s: number, topic: string, field: string): number {
-    const value = this.samples.findLast((sample) => sample.topic === topic && sample.t_s <= t_s)?.values[field];
-    if (value === undefined) throw new Error(`nothing of ${topic} was heard before ${t_s}`);
-    return value;
+    const before = this.samples.findLast((sample) => sample.topic === topic && sample.t_s <= t_s);
+    const after = this.samples.find((sample) => sample.topic === topic && sample.t_s > t_s);
+    const [from, to] = [before?.values[field], after?.values[field]];
+    if (before === undefined || after === undefined || from === undefined || to === undefined) {
+      throw new Error(`nothing of ${topic} was heard around ${t_s}`);
+    }
+    return from + ((to - from) * (t_s - before.t_s)) / (after.t_s - before.t_s);
   }
 }
