@@ -15,7 +15,7 @@ from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_recor
 from epf_gcs.recordings.topics import TOPICS
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.programs import Program, children_of, gateway_process, sockets_of, words_of
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 FLIGHT = "20260101T100000Z"
 SILENT = Path(__file__).parents[1] / "support" / "silent_packing"
@@ -73,7 +73,7 @@ def test_a_cancelled_job_leaves_nothing_and_is_not_begun_again_by_itself(large: 
         assert (large / "recordings" / f"{FLIGHT}.mcap").read_bytes() == before
         assert gateway.http.get(f"/flights/{FLIGHT}").json()["state"] == "waiting"
         assert not [one for one in gateway.http.get("/jobs").json()["jobs"] if one["state"] in ("waiting", "running")]
-        gateway.http.post(f"/flights/{FLIGHT}/index").raise_for_status()
+        gateway.http.post(f"/flights/{FLIGHT}/index", timeout=DEADLINE_S).raise_for_status()
         waits(gateway, "pack", lambda job: job["state"] == "running")
 
 
@@ -109,7 +109,7 @@ def silent_worker(gateway: Program, data: Path) -> tuple[int, int]:
     (web,) = found(gateway.process.pid, "epf_gcs.web")
     (data / "recordings").mkdir(exist_ok=True)
     (data / "recordings" / f"{FLIGHT}.mcap").write_bytes(opening("test", TOPICS))
-    httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index").raise_for_status()
+    httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index", timeout=DEADLINE_S).raise_for_status()
     eventually(lambda: bool(found(web, "epf_gcs.flights pack")), "its worker")
     (worker,) = found(web, "epf_gcs.flights pack")
     eventually(lambda: len(list(Path(f"/proc/{worker}/task").iterdir())) > 1, "the worker watches for its parent's end")

@@ -74,7 +74,7 @@ def test_every_answer_is_as_described(described: Any, method: str, path: str) ->
     @asked(EXAMPLES)
     @given(case=described[path][method].as_strategy())
     def ask(case: Any) -> None:
-        case.call_and_validate(excluded_checks=beyond)
+        case.call_and_validate(excluded_checks=beyond, timeout=DEADLINE_S)
 
     ask()
 

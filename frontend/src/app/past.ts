@@ -9,7 +9,6 @@ import { createPastTrack } from "../features/map/track/pastTrack";
 import { TRACK_LOG } from "../features/map/track/trackLog";
 import { INSPECTOR } from "../features/messages/inspectorRequests";
 import { createPastInspector } from "../features/messages/pastInspector";
-import { lineLawOf } from "../features/parameters/lineLawOfGains";
 import { PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
 import { createPastParameters } from "../features/parameters/pastParameters";
 import type { PlaceInTime } from "../features/playback/flightAddress";
@@ -18,7 +17,7 @@ import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
 import { createBoardConsole } from "../features/setup/consoleRequests";
-import { LINE_LAW } from "../missions/lineLaw";
+import { LINE_LAW, UNKNOWN_LINE_LAW } from "../missions/lineLaw";
 import { createPastPlans } from "../missions/pastPlans";
 import { MISSIONS } from "../missions/planDrafts";
 import { createSelection, SELECTION } from "../missions/selection";
@@ -184,7 +183,7 @@ function createPast(
       .but()
       .with(ALARM_LOG, alarmLog)
       .with(PARAMETER_REQUESTS, parameters.actions)
-      .with(LINE_LAW, lineLawOf(parameters.actions))
+      .with(LINE_LAW, UNKNOWN_LINE_LAW)
       .with(MISSIONS, plans.actions)
       .with(AHRS, createAhrs3d(pastAsking))
       .with(SOURCE_RETURN, createSourceReturn())

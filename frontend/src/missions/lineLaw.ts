@@ -12,6 +12,13 @@ export interface LineLaw {
   readonly refresh: () => Promise<void>;
 }
 
+/** Of a board that tells nothing of it, and of the past, in which only the 17 gains are known. */
+export const UNKNOWN_LINE_LAW: LineLaw = {
+  bank_deg: () => null,
+  subscribe: () => () => undefined,
+  refresh: () => Promise.resolve(),
+};
+
 export const LINE_LAW = partName<LineLaw>("line law");
 
 /** The bank of the line law's turns; null: it does not fly, or that is not known. */

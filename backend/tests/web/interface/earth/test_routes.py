@@ -13,7 +13,7 @@ from epf_gcs.codec.messages_gen import ROUTES
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.kml import child_texts, element, schema_faults, texts
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 KML = "application/vnd.google-earth.kml+xml"
 GANDO = [
@@ -50,7 +50,9 @@ def test_without_anything_flown_the_files_are_valid_and_empty(gateway: Gateway, 
 
 def test_the_link_document_asks_each_second_under_the_name_it_was_asked_for(emulated: Gateway) -> None:
     port = urlsplit(emulated.base).port
-    answer = httpx.get(f"{emulated.base}/api/v1/earth.kml?follow=flight", headers={"Host": f"localhost:{port}"})
+    answer = httpx.get(
+        f"{emulated.base}/api/v1/earth.kml?follow=flight", headers={"Host": f"localhost:{port}"}, timeout=DEADLINE_S
+    )
     data = answer.raise_for_status().content
     assert schema_faults(data) == []
     hrefs = texts(data, "href")
@@ -98,7 +100,7 @@ def test_a_client_that_follows_the_link_sees_the_aircraft_fly_each_second(emulat
     assert (said["refreshMode"], said["refreshInterval"]) == ("onInterval", "1")
     seen: list[tuple[str, str]] = []
     headings: list[float] = []
-    with httpx.Client() as client:
+    with httpx.Client(timeout=DEADLINE_S) as client:
         for look in range(3):
             if look > 0:
                 time.sleep(float(said["refreshInterval"]))  # what a client of this link does, not waiting for something
@@ -126,14 +128,14 @@ def test_everything_that_the_link_leads_to_is_in_its_language(emulated: Gateway)
         found = texts(data, "name")
         for href in texts(data, "href"):
             assert parse_qs(urlsplit(href).query)["lang"] == [lang]
-            found += texts(httpx.get(href).raise_for_status().content, "name")
+            found += texts(httpx.get(href, timeout=DEADLINE_S).raise_for_status().content, "name")
         assert any(name.startswith(aircraft) for name in found)
         assert track in found
 
 
 def test_the_model_is_a_file_that_can_be_had(emulated: Gateway) -> None:
     href = next(href for href in texts(get(emulated, "/earth/live.kml"), "href"))
-    answer = httpx.get(href).raise_for_status()
+    answer = httpx.get(href, timeout=DEADLINE_S).raise_for_status()
     assert answer.headers["content-type"] == "model/vnd.collada+xml"
     assert etree.fromstring(answer.content).tag.endswith("COLLADA")
 

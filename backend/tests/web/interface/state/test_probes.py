@@ -20,7 +20,7 @@ from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
 from tests.support.contract import read_as
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import FlightThread, Gateway
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 ROOM = Disk(free_bytes=50_000_000_000, total_bytes=100_000_000_000)
 NAME = r"[a-zA-Z_:][a-zA-Z0-9_:]*"
@@ -153,13 +153,16 @@ async def test_both_are_at_their_addresses() -> None:
 
 
 def test_the_gateway_answers_at_both_places(gateway: Gateway) -> None:
-    health = httpx.get(f"{gateway.base}/health")
+    health = httpx.get(f"{gateway.base}/health", timeout=DEADLINE_S)
     assert health.status_code == 200
     assert health.json()["status"] == "ok"
-    text = httpx.get(f"{gateway.base}/metrics").text
+    text = httpx.get(f"{gateway.base}/metrics", timeout=DEADLINE_S).text
     assert read(text)["epf_http_connections", ""] >= 1, "the one that asks"
     gateway.flight_thread.stop()
-    eventually(lambda: httpx.get(f"{gateway.base}/health").status_code == 503, "the flight process is missed")
+    eventually(
+        lambda: httpx.get(f"{gateway.base}/health", timeout=DEADLINE_S).status_code == 503,
+        "the flight process is missed",
+    )
     gateway.flight_thread = FlightThread(gateway.flight_thread.data_dir)
     gateway.flight_thread.start()
-    eventually(lambda: httpx.get(f"{gateway.base}/health").status_code == 200, "it is back")
+    eventually(lambda: httpx.get(f"{gateway.base}/health", timeout=DEADLINE_S).status_code == 200, "it is back")
