@@ -122,6 +122,8 @@ ErrorCode = Literal[
     "link_unreachable",
     "listen_failed",
     "listen_unknown_host",
+    "log_no_time",
+    "log_unreadable",
     "map_cache_not_written",
     "map_disk_full",
     "map_exists",

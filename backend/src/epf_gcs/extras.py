@@ -61,6 +61,7 @@ class Extra:
 SIM: Final = Extra("sim", ("jsbsim",), "The embedded simulator")
 MAPS: Final = Extra("maps", ("rasterio",), "Importing heights")
 FLIGHTS: Final = Extra("flights", ("pyarrow", "duckdb"), "Looking into recorded flights")
+LOGS: Final = Extra("logs", ("pymavlink", "pyulog"), "Reading the logs of other autopilots")
 MAVLINK: Final = Extra("mavlink", ("pymavlink",), "Speaking MAVLink")
 ALL: Final = (SIM, MAPS, FLIGHTS)
 """What the page and the doctor look at: parts of the station itself."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from epf_gcs.errors import InvalidInputError, NotFoundError
 from epf_gcs.flights.answers import signals
 from epf_gcs.flights.derived import find, split_names
+from epf_gcs.flights.fields import FieldMeaning, fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache, Samples, TopicSpan
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings.notes import Note
@@ -32,6 +34,9 @@ class Given:
             TopicSpan(name.split(".")[0], len(one.t_s), self.start_ns, self.end_ns)
             for name, one in self._fields.items()
         ]
+
+    def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
+        return fields_of(topic)
 
     def samples(self, topic: str, field: str) -> Samples:
         return self._fields[f"{topic}.{field}"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ import pytest
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights import answers
 from epf_gcs.flights.events import as_answer, find_events, read_events, write_events
-from epf_gcs.flights.fields import fields_of
+from epf_gcs.flights.fields import FieldMeaning, fields_of
 from epf_gcs.flights.flight_data import PeriodCache, Samples, TopicSpan
 from epf_gcs.flights.summary import summarise
 from epf_gcs.recordings import notes
@@ -41,6 +42,9 @@ class MadeFlight:
             TopicSpan(topic, len(t_s), START_NS + int(t_s[0] * 1e9), START_NS + int(t_s[-1] * 1e9))
             for topic, (t_s, _) in self._samples.items()
         ]
+
+    def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
+        return fields_of(topic)
 
     def samples(self, topic: str, field: str) -> Samples:
         t_s, fields = self._samples.get(topic, ((), {}))

@@ -22,6 +22,7 @@ export function aFlight(parts: Partial<Flight> = {}): Flight {
     operator: null,
     emulated: false,
     imported: false,
+    log: null,
     highest_ft: 1234.4,
     fastest_kt: 71.2,
     distance_nm: 9.87,

@@ -15,6 +15,7 @@ from epf_gcs.errors import ErrorCode, GatewayError
 JobKind = Literal["pack", "index", "keys", "import", "export", "report", "backup"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged", "unread"]
+LogKind = Literal["ulog", "dataflash", "tlog", "csv", "mcap"]
 EventKind = Literal[
     "advice",
     "alarm",
@@ -95,7 +96,8 @@ class Flight(Shape):
 
     `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
     about the file. `copies` are the ids of other files with the same content: the list leaves them out. `started_s` is
-    corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
+    corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time. `log`: of what kind of another
+    program's log it was made, null for a recording of a station.
     """
 
     id: str
@@ -117,6 +119,7 @@ class Flight(Shape):
     operator: str | None
     emulated: bool
     imported: bool
+    log: LogKind | None
     highest_ft: float | None
     fastest_kt: float | None
     distance_nm: float | None

@@ -12,7 +12,6 @@ import pyarrow as pa
 
 from epf_gcs.contract.flights import FlightOverview, FlightTopic, FlightTopics, Signal, Signals, TopicField
 from epf_gcs.flights.derived import find
-from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.flown_path import moved_rows, track_rows
 from epf_gcs.flights.signals import Array, gaps_of, thin
@@ -96,7 +95,9 @@ def topics(flight: FlightData) -> FlightTopics:
                 count=span.samples,
                 first_s=(span.first_ns - flight.start_ns) * _NS,
                 last_s=(span.last_ns - flight.start_ns) * _NS,
-                fields=[TopicField(name, meaning.unit, meaning.kind) for name, meaning in fields_of(span.name).items()],
+                fields=[
+                    TopicField(name, meaning.unit, meaning.kind) for name, meaning in flight.fields(span.name).items()
+                ],
             )
             for span in flight.topics()
         ]
@@ -121,7 +122,7 @@ def silence(flight: FlightData, periods: PeriodCache) -> list[list[float]]:
     """The stretches in which no topic has a sample, other than those that come only on request."""
     busy: list[tuple[float, float]] = []
     for span in flight.topics():
-        field = next((name for name, meaning in fields_of(span.name).items() if meaning.kind != "text"), None)
+        field = next((name for name, meaning in flight.fields(span.name).items() if meaning.kind != "text"), None)
         if field is None:
             continue
         t_s = flight.samples(span.name, field).t_s

@@ -18,15 +18,16 @@ from numpy.typing import NDArray
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
 from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
-from epf_gcs.flights.convert import T_NS, table
+from epf_gcs.flights.convert import T_NS, log_rows, table
 from epf_gcs.flights.datagrams import RAW_ROWS, Datagrams, without_no_value
 from epf_gcs.flights.keyframes import KeyFrames
 from epf_gcs.flights.rates import Rates
 from epf_gcs.flights.tables import Tables
+from epf_gcs.recordings.log_table import unpacked
 from epf_gcs.recordings.notes import IDENTITY, LINE, Note
 from epf_gcs.recordings.parts import Messages, Part
 from epf_gcs.recordings.reading import LIMITS, Limits, Reader
-from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED
+from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, LOG_TABLE, SIMULATOR_RECEIVED
 
 Say = Callable[[float, str], None]
 
@@ -208,7 +209,7 @@ class TableMaker:
     def _stretch(self, messages: Messages, begin: int, end: int) -> None:
         if begin == end:
             return
-        for channel in (*self._lines, SIMULATOR_RECEIVED):
+        for channel in (*self._lines, SIMULATOR_RECEIVED, LOG_TABLE):
             chosen = np.flatnonzero(messages.channel[begin:end] == channel) + begin
             if not len(chosen):
                 continue
@@ -219,6 +220,9 @@ class TableMaker:
                 messages.length[chosen],
                 messages.data,
             )
+            if channel == LOG_TABLE:
+                self._log_tables(some)
+                continue
             self._rates.heard(channel, some.t_ns, some.length)
             if channel == SIMULATOR_RECEIVED:
                 for topic, one in self._datagrams.take(some).tables.items():
@@ -226,6 +230,19 @@ class TableMaker:
             else:
                 ends = np.cumsum(some.length)
                 self._decoded(channel, self._lines[channel].decoder.feed(_joined(some), ends, some.t_ns))
+
+    def _log_tables(self, messages: Messages) -> None:
+        """The topics of another program's log. Their payloads end later than the messages' times."""
+        view = messages.data.data
+        for start, length in zip(messages.start.tolist(), messages.length.tolist(), strict=True):
+            found = unpacked(bytes(view[start : start + length]))
+            rows = None if found is None else log_rows(found)
+            if found is None or rows is None:
+                self.counts.damaged["log"] += 1
+                continue
+            self.counts.last_ns = max(int(found.t_ns.max()), self.counts.last_ns or 0)
+            self.counts.first_ns = min(int(found.t_ns.min()), self.counts.first_ns or 0)
+            self._tables.add(found.topic, rows)
 
     def _decoded(self, channel: int, decoded: StretchContents) -> None:
         line = self._lines[channel]

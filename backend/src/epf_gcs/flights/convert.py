@@ -11,9 +11,12 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.codec.tables import Message, Value
 from epf_gcs.codec.values import Step, steps
 from epf_gcs.flights.bulk import Frames
+from epf_gcs.flights.logs.naming import is_reserved
+from epf_gcs.recordings.log_table import LogTable
 
 _NUMPY: Final = {"f": "<f4", "d": "<f8", "i": "<i4", "I": "<u4", "h": "<i2", "H": "<u2", "b": "i1", "B": "u1"}
 _FORMAT: Final = re.compile(r"(\d*)([a-zA-Z])")
@@ -21,6 +24,8 @@ _ARROW: Final = {"number": pa.float64(), "integer": pa.int32(), "boolean": pa.bo
 
 DESCRIPTION: Final = b"description"
 """Key of a table's metadata that says what its readers have to know."""
+LOG: Final = b"log"
+"""Key of the metadata of a table that is a topic of another program's log."""
 T_NS: Final = pa.field("t_ns", pa.int64(), nullable=False, metadata={"unit": "ns"})
 
 
@@ -61,6 +66,27 @@ def table(message: Message, frames: Frames) -> tuple[pa.Table, dict[str, int]]:
         if column.implausible:
             implausible[step.name] = column.implausible
     return pa.Table.from_arrays(columns, schema=schema(message)), implausible
+
+
+def log_rows(found: LogTable) -> pa.Table | None:
+    """Rows of another program's log, numbers all; those that were made of it by a name of ours have our kinds.
+
+    None for what a stranger's file gives a name of ours and is not as ours.
+    """
+    values = [pa.array(one, from_pandas=True) for one in found.columns]
+    if not is_reserved(found.topic):
+        fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in found.units.items()]
+        kept = pa.schema([T_NS, *fields], metadata={LOG: found.topic})
+        return pa.Table.from_arrays([pa.array(found.t_ns), *values], schema=kept)
+    message = TELEMETRY_BY_NAME.get(found.topic)
+    if message is None or list(found.units) != [value.name for value in message.values]:
+        return None
+    kept = schema(message)
+    try:
+        rows = [one.cast(field.type) for one, field in zip(values, list(kept)[1:], strict=True)]
+    except pa.ArrowInvalid:
+        return None
+    return pa.Table.from_arrays([pa.array(found.t_ns), *rows], schema=kept)
 
 
 def _kind(message: Message, value: Value) -> pa.DataType:

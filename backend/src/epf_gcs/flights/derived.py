@@ -13,7 +13,6 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache, split_name
 from epf_gcs.flights.signals import Array, longest_step_s
 from epf_gcs.units import M_PER_FT, MPS_PER_KT
@@ -69,8 +68,8 @@ def _computed(flight: FlightData, periods: PeriodCache, name: str, derived: re.M
 
 
 def _recorded(flight: FlightData, periods: PeriodCache, name: str) -> Signal:
-    topic, field = split_name(name)
-    unit = fields_of(topic)[field].unit
+    topic, field = split_name(flight, name)
+    unit = flight.fields(topic)[field].unit
     if topic not in {span.name for span in flight.topics()}:
         return Signal(unit, np.empty(0), np.empty(0), None)
     t_s, values = flight.samples(topic, field)

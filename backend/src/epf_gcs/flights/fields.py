@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 from typing import Final, Literal, NamedTuple
 
+import pyarrow.parquet as pq
+
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME, XPLANE_ROWS
+from epf_gcs.flights.convert import LOG, T_NS
 from epf_gcs.xplane.mapping import INFO_SOURCES, in_our_unit
 
 Kind = Literal["number", "flag", "text"]
@@ -33,6 +37,18 @@ def fields_of(topic: str) -> dict[str, FieldMeaning]:
     if message is None or not message.topic:
         return {}
     return {value.name: FieldMeaning(value.unit, _kind(value.kind)) for value in message.values}
+
+
+def log_fields(table: Path) -> dict[str, FieldMeaning]:
+    """The fields of a topic that came in a log of another program, as its Parquet file has them; empty for a table that
+    is none. Raises OSError."""
+    if not table.exists():
+        return {}
+    schema = pq.read_schema(table)
+    if LOG not in (schema.metadata or {}):
+        return {}
+    named = [(one.name, (one.metadata or {}).get(b"unit", b"1").decode()) for one in schema if one.name != T_NS.name]
+    return {name: FieldMeaning(unit, "number") for name, unit in named}
 
 
 def _row_unit(unit: str) -> str:

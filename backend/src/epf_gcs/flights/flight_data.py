@@ -6,13 +6,13 @@ Questions (`answers.py`) are the same for both.
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Final, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.fields import fields_of
+from epf_gcs.flights.fields import FieldMeaning, fields_of
 from epf_gcs.flights.signals import Array, usual_period_s
 from epf_gcs.recordings.notes import Note
 
@@ -54,6 +54,9 @@ class FlightData(Protocol):
 
     def topics(self) -> list[TopicSpan]:
         """The topics that have samples."""
+
+    def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
+        """The fields of a topic by name; empty for one that is neither defined nor of the flight's own."""
 
     def samples(self, topic: str, field: str) -> Samples:
         """All samples of one field that is a number or a flag. Raises NotFoundError."""
@@ -110,10 +113,10 @@ def read_field(flight: FlightData, topic: str, field: str) -> Samples:
         return Samples(np.empty(0), np.empty(0))
 
 
-def split_name(name: str) -> tuple[str, str]:
-    """Topic and field of `topic.field`. Raises NotFoundError where the definition has no such number or flag."""
+def split_name(flight: FlightData, name: str) -> tuple[str, str]:
+    """Topic and field of `topic.field`. Raises NotFoundError where there is no such number or flag."""
     topic, _, field = name.partition(".")
-    meaning = fields_of(topic).get(field)
+    meaning = flight.fields(topic).get(field)
     if meaning is None or meaning.kind == "text":
         raise unknown_signal(name)
     return topic, field

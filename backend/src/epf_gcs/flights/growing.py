@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import pyarrow as pa
 
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.columns import DAMAGE, TableMaker
-from epf_gcs.flights.fields import fields_of
+from epf_gcs.flights.fields import FieldMeaning, fields_of
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
 from epf_gcs.recordings.notes import Note
 
@@ -54,9 +55,13 @@ class GrowingFlight:
             found.append(TopicSpan(topic, len(t_ns), int(t_ns.min()), int(t_ns.max())))
         return found
 
+    def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
+        """The fields of a topic."""
+        return fields_of(topic)
+
     def samples(self, topic: str, field: str) -> Samples:
         """All samples of one field so far. Raises NotFoundError."""
-        if field not in fields_of(topic) or topic not in self._kept.topics():
+        if field not in self.fields(topic) or topic not in self._kept.topics():
             raise unknown_signal(f"{topic}.{field}")
         return in_order((self._kept.column(topic, "t_ns") - self.start_ns) * 1e-9, self._kept.column(topic, field))
 

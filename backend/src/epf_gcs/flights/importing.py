@@ -1,46 +1,67 @@
 """`import FILE OUT`: checks a recording of another machine and writes what it holds anew, as our recorder would.
 
 So nothing of a stranger's file lands in the library but payloads and notes within limits; whatever else it has, and
-all that is damaged, stays behind, and a clock that was set back in flight goes on. It says {"started_ns",
-"fingerprint", "damage"}; the last is a sentence, or null.
+all that is damaged, stays behind, and a clock that was set back in flight goes on. A log of another program becomes a
+recording of its topics. It says {"started_ns", "fingerprint", "damage", "log"}: a time, a text, a sentence or null, and
+of which kind of program it is a log or null.
 """
 
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import BinaryIO, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.flights.fingerprint import Fingerprint
+from epf_gcs.flights.logs.log import Log
+from epf_gcs.flights.logs.own_topics import own_topics
+from epf_gcs.flights.logs.reading import read_log
+from epf_gcs.flights.room import minding_room
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings import notes
+from epf_gcs.recordings.limits import RecordingError
+from epf_gcs.recordings.log_table import packed
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.parts import Part
 from epf_gcs.recordings.reading import Reader
-from epf_gcs.recordings.topics import TOPICS
+from epf_gcs.recordings.topics import LOG_TABLE, LOG_TOPICS, TOPICS
 
 _LIBRARY: Final = "epf-gcs import"
 _EARLIEST_NS: Final = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp()) * 1_000_000_000
 _DAY_NS: Final = 86_400 * 1_000_000_000
 _LONGEST_NS: Final = 7 * _DAY_NS
 _SET_BACK_NS: Final = 1_000_000_000
+# More than what recording asks for by default: what is made of a log may be larger than the log.
+_RESERVE_BYTES: Final = 1_200_000_000
 
 
 def run(arguments: list[str], say: Say) -> dict[str, int | str | None]:
-    """Raises RecordingError, InvalidInputError, OSError; `OUT` is whole or not there."""
+    """Raises RecordingError, InvalidInputError, ConflictError, OSError; `OUT` is whole or not there."""
     source, target = (Path(argument) for argument in arguments)
+    try:
+        return _recording(source, target, say)
+    except RecordingError as error:
+        log = read_log(source) if error.code == "recording_foreign" else None
+        if log is None:
+            raise
+    return _log(log, target, minding_room(say, target, _RESERVE_BYTES))
+
+
+def _recording(source: Path, target: Path, say: Say) -> dict[str, int | str | None]:
     size = max(1, source.stat().st_size)
     part_file = target.with_suffix(".part")
     fingerprint, times, clock = Fingerprint(), _Times(), _SteadyClock()
     try:
         with part_file.open("wb") as output:
-            writer = _Writer(output)
+            writer = _Writer(output, TOPICS | LOG_TOPICS)
             reader = Reader(source)
             for part in reader.parts():
                 times.add(part)
@@ -53,7 +74,39 @@ def run(arguments: list[str], say: Say) -> dict[str, int | str | None]:
         part_file.replace(target)
     finally:
         part_file.unlink(missing_ok=True)
-    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": _joined(reader.damage, clock.said())}
+    damage = _joined(reader.damage, clock.said())
+    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": damage, "log": None}
+
+
+def _log(log: Log, target: Path, say: Say) -> dict[str, int | str | None]:
+    """A recording of a log's topics, in the order in which its reader has them."""
+    part_file = target.with_suffix(".part")
+    now_ns = time.time_ns()
+    times = _Times()
+    try:
+        with part_file.open("wb") as output:
+            writer = _Writer(output, LOG_TOPICS)
+            stamp_ns = 0
+            for piece in log.pieces:
+                table = piece.table if log.is_dated else piece.table._replace(t_ns=piece.table.t_ns + now_ns)
+                times.add_log(table.t_ns)
+                # A log's topics come one after the other, and a recording's time never goes back: the rows have theirs,
+                # and the messages tell where all of it begins and ends.
+                stamp_ns = max(stamp_ns, int(table.t_ns.max())) if stamp_ns else int(table.t_ns.min())
+                for one in (table, *own_topics(table)):
+                    writer.message(LOG_TABLE, stamp_ns, packed(one))
+                say(piece.share, "checking")
+            first_ns = times.check(now_ns)
+            writer.finish()
+        part_file.replace(target)
+    finally:
+        part_file.unlink(missing_ok=True)
+    fingerprint = Fingerprint()
+    for part in Reader(target).parts():
+        fingerprint.add(part.messages)
+    undated = None if log.is_dated else "It does not say when it was flown: here it begins when it was imported."
+    damage = _joined(*log.said, undated)
+    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": damage, "log": log.kind}
 
 
 class _Times:
@@ -71,6 +124,14 @@ class _Times:
         if self._first_ns is None:
             self._first_ns, self._lowest_ns, self._highest_ns = int(t_ns[0]), lowest, highest
         self._lowest_ns, self._highest_ns = min(self._lowest_ns, lowest), max(self._highest_ns, highest)
+
+    def add_log(self, t_ns: NDArray[np.int64]) -> None:
+        """The times of some rows of a log, whose topics come one after the other: its first time is its lowest."""
+        lowest, highest = int(t_ns.min()), int(t_ns.max())
+        if self._first_ns is None:
+            self._first_ns, self._lowest_ns, self._highest_ns = lowest, lowest, highest
+        self._first_ns = self._lowest_ns = min(self._lowest_ns, lowest)
+        self._highest_ns = max(self._highest_ns, highest)
 
     def check(self, now_ns: int) -> int:
         """The time of the first message. Raises InvalidInputError where there is none, or no clock shows such times."""
@@ -126,10 +187,11 @@ def _joined(*sentences: str | None) -> str | None:
 class _Writer:
     """Writes messages and notes in their order, without chunks."""
 
-    def __init__(self, output: BinaryIO) -> None:
+    def __init__(self, output: BinaryIO, topics: Mapping[int, str]) -> None:
         self._output = output
+        self._topics = topics
         self._tally = Tally()
-        output.write(opening(_LIBRARY, TOPICS))
+        output.write(opening(_LIBRARY, topics))
 
     def add(self, part: Part) -> None:
         channels, t_ns, starts, lengths, data = part.messages
@@ -139,15 +201,17 @@ class _Writer:
         for number, (channel, time_ns, start, length) in enumerate(rows):
             while waiting and waiting[-1][0] <= number:
                 self._note(waiting.pop()[1])
-            sequence = self._tally.add(channel, time_ns)
-            self._output.write(message_record(channel, sequence, time_ns, payloads[start : start + length]))
+            self.message(channel, time_ns, payloads[start : start + length])
         for _, note in reversed(waiting):
             self._note(note)
+
+    def message(self, channel: int, time_ns: int, payload: bytes) -> None:
+        self._output.write(message_record(channel, self._tally.add(channel, time_ns), time_ns, payload))
 
     def finish(self) -> None:
         end = data_end()
         self._output.write(end)
-        self._output.write(closing(TOPICS, self._tally, self._output.tell()))
+        self._output.write(closing(self._topics, self._tally, self._output.tell()))
 
     def _note(self, note: Note) -> None:
         self._tally.metadata_count += 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -11,7 +11,7 @@ import duckdb
 import numpy as np
 
 from epf_gcs.errors import ConflictError
-from epf_gcs.flights.fields import fields_of
+from epf_gcs.flights.fields import FieldMeaning, fields_of, log_fields
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.notes import Note
@@ -94,21 +94,29 @@ class IndexedFlight:
         self._columns = columns
         self._stamp = stamp
         self._times: dict[str, Any] = {}
+        self._fields: dict[str, Mapping[str, FieldMeaning]] = {}
 
     def topics(self) -> list[TopicSpan]:
         """The topics that have samples."""
         found = []
         for file in sorted(self._folder.glob("*.parquet")):
-            if fields_of(file.stem):
+            if self.fields(file.stem):
                 t_ns = self._columns.column(file, "t_ns", self._stamp)
                 if len(t_ns):
                     found.append(TopicSpan(file.stem, len(t_ns), int(t_ns.min()), int(t_ns.max())))
         return found
 
+    def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
+        """The fields of a topic; of one of another program's log, as its table has them. Raises OSError."""
+        found = self._fields.get(topic)
+        if found is None:
+            found = self._fields[topic] = fields_of(topic) or log_fields(self._folder / f"{topic}.parquet")
+        return found
+
     def samples(self, topic: str, field: str) -> Samples:
         """All samples of one field. Raises NotFoundError, OSError."""
         file = self._folder / f"{topic}.parquet"
-        if field not in fields_of(topic) or not file.exists():
+        if field not in self.fields(topic) or not file.exists():
             raise unknown_signal(f"{topic}.{field}")
         t_s = self._times.get(topic)
         if t_s is None:

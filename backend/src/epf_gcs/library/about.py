@@ -7,6 +7,7 @@ from pathlib import Path
 
 import msgspec
 
+from epf_gcs.contract.flights import LogKind
 from epf_gcs.disk import KeptFile
 
 
@@ -29,7 +30,7 @@ class KeptMark(msgspec.Struct, frozen=True, omit_defaults=True):
 @dataclass(slots=True)
 class About:
     """`deleted_s`: when it went to the bin. `came_damaged`: what was wrong with the file that was imported, a
-    sentence; empty if nothing was."""
+    sentence; empty if nothing was. `log`: it is a log of another program, of this kind."""
 
     title: str = ""
     tags: list[str] = field(default_factory=list)
@@ -39,6 +40,7 @@ class About:
     marks: list[KeptMark] = field(default_factory=list)
     deleted_s: float | None = None
     came_damaged: str = ""
+    log: LogKind | None = None
 
     @property
     def is_empty(self) -> bool:

@@ -116,23 +116,23 @@ class FlightImports:
         known = await self._flights.with_fingerprint(answer.fingerprint)
         if known is not None:
             raise ConflictError("flight_known", f"'{name}' is the flight '{known}' of the library.", flight=known)
-        damage = (answer.damage or "")[:_LONGEST_DAMAGE]
-        job.flight = await self._flights.in_thread(self._place, answer.started_ns, checked, name, damage)
+        job.flight = await self._flights.in_thread(self._place, answer, checked, name)
         self._flights.wake()
 
-    def _place(self, started_ns: int, checked: Path, name: str, damage: str) -> str:
+    def _place(self, answer: JobAnswer, checked: Path, name: str) -> str:
         places = self._flights.places
         taken = {path.stem for folder in (places.recordings, places.bin) for path in folder.glob("*.mcap")}
-        flight = free_id(started_ns, taken)
+        flight = free_id(answer.started_ns, taken)
         title = name.removesuffix(".mcap")[:_LONGEST_TITLE]
         places.recordings.mkdir(parents=True, exist_ok=True)
-        write_about(places.about(flight), _about(flight, title, damage))
+        write_about(places.about(flight), _about(flight, title, answer))
         checked.replace(places.recording(flight))
         return flight
 
 
-def _about(flight: str, title: str, damage: str) -> About:
-    return About(title="" if title == flight else title, imported=True, came_damaged=damage)
+def _about(flight: str, title: str, answer: JobAnswer) -> About:
+    damage = (answer.damage or "")[:_LONGEST_DAMAGE]
+    return About(title="" if title == flight else title, imported=True, came_damaged=damage, log=answer.log)
 
 
 def _too_large(name: str) -> GatewayError:

@@ -19,7 +19,7 @@ import msgspec
 import structlog
 
 from epf_gcs.contract.events import Say
-from epf_gcs.contract.flights import Fault, JobKind, JobResult, JobState
+from epf_gcs.contract.flights import Fault, JobKind, JobResult, JobState, LogKind
 from epf_gcs.contract.flights import Job as JobReport
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.extras import FLIGHTS
@@ -45,12 +45,13 @@ log = structlog.get_logger("web")
 
 
 class JobAnswer(msgspec.Struct):
-    """What a job's program says at its end. An import: where the recording begins (Unix ns), its fingerprint, and what
-    is wrong with the file; a report, as JSON or as a page."""
+    """What a job's program says at its end. An import: where the recording begins (Unix ns), its fingerprint, what is
+    wrong with the file, and of which kind of program it is a log; a report, as JSON or as a page."""
 
     started_ns: int = 0
     fingerprint: str = ""
     damage: str | None = None
+    log: LogKind | None = None
     report: msgspec.Raw = msgspec.Raw()
     page: str = ""
 

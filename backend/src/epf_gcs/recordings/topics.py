@@ -1,4 +1,4 @@
-"""The four topics of a recording: what went over both lines, each way."""
+"""The topics of a recording: what went over both lines, each way, and what came of another program's log."""
 
 from __future__ import annotations
 
@@ -14,5 +14,8 @@ TOPICS: Final = {
     SIMULATOR_RECEIVED: "simulator/received",
     SIMULATOR_SENT: "simulator/sent",
 }
+LOG_TABLE: Final = 5
+LOG_TOPICS: Final = {LOG_TABLE: "log/table"}
+"""The topic of a log of another program, which has nothing else: see `log_table.py`."""
 # The board's line is a stream of bytes, whose reads may be put together. A datagram's two ends carry meaning.
 STREAMS: Final = frozenset({BOARD_RECEIVED, BOARD_SENT})

@@ -50,7 +50,7 @@ export function FlightDetail({ flight }: { readonly flight: Flight }) {
 
 /** What is wrong with the recording, in a sentence. */
 function Faults({ flight }: { readonly flight: Flight }) {
-  const { fault, damage, copies, state, clock_ahead_s, clock_unsure } = flight;
+  const { fault, damage, copies, state, log, clock_ahead_s, clock_unsure } = flight;
   const { t } = useTranslation();
   const sentence = useSentence();
   return (
@@ -58,7 +58,12 @@ function Faults({ flight }: { readonly flight: Flight }) {
       {state === "waiting" && <Notice level="info">{t("flights.waits")}</Notice>}
       {state === "indexing" && <Notice level="info">{t("flights.preparing")}</Notice>}
       {fault !== null && <Notice level="warning">{sentence(failureMessage(fault))}</Notice>}
-      {damage !== null && <Notice level="warning">{t("flights.damage", { why: damage })}</Notice>}
+      {log !== null && <Notice level="info">{t("flights.log", { what: t(`logKind.${log}`) })}</Notice>}
+      {damage !== null && (
+        <Notice level={log === null ? "warning" : "info"}>
+          {t(log === null ? "flights.damage" : "flights.leftOut", { why: damage })}
+        </Notice>
+      )}
       {copies.length > 0 && (
         <Notice level="info">
           {t("flights.copies", { count: copies.length, files: copies.map((id) => `${id}.mcap`).join(", ") })}

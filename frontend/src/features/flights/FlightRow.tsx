@@ -63,14 +63,18 @@ export const FlightRow = memo(function FlightRow(props: Props) {
                 <span key={word}>{word}</span>
               ))}
             {flight.emulated && <Badge level="caution">{t("flights.emulated")}</Badge>}
-            {flight.imported && <Badge>{t("flights.imported")}</Badge>}
+            {flight.imported && (
+              <Badge>{flight.log === null ? t("flights.imported") : t(`logKind.${flight.log}`)}</Badge>
+            )}
             {isShown && <Badge level="past">{t("flights.shown")}</Badge>}
             {flight.state !== "indexed" && (
               <Badge level={flight.state === "damaged" ? "warning" : "plain"}>
                 {t(`flightState.${flight.state}`)}
               </Badge>
             )}
-            {flight.damage !== null && <Badge level="warning">{t("flights.cut")}</Badge>}
+            {flight.damage !== null && flight.log === null && (
+              <Badge level="warning">{t("flights.cut")}</Badge>
+            )}
             {flight.tags.map((tag) => (
               <span key={tag} className="flights-tag">
                 {tag}

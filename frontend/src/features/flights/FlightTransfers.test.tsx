@@ -68,7 +68,7 @@ describe("a recording from another machine", () => {
     const tab = screen.getByRole("tabpanel", { name: "Vuelos" }).firstElementChild as HTMLElement;
     const dataTransfer = { types: ["Files"], files: [FILE] };
     fireEvent.dragOver(tab, { dataTransfer });
-    expect(tab.textContent).toContain("Suelta aquí la grabación");
+    expect(tab.textContent).toContain("Suelta aquí una grabación o un registro");
     fireEvent.drop(tab, { dataTransfer });
     await newest("POST", /name=/).answer({ job: "0123456789ab" }, 202);
     tell({

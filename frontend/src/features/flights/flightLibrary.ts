@@ -28,8 +28,8 @@ export interface MarkChange {
   readonly kind: "changed" | "removed";
 }
 
-/** The files that hold a recording. */
-export const RECORDING_FILES = ".mcap";
+/** The files that hold a recording, and the logs of other programs that are taken in as one. */
+export const RECORDING_FILES = ".mcap,.ulg,.bin,.tlog,.csv";
 
 /** What a flight can be turned into, the most useful first. */
 export const EXPORT_FORMATS = [

@@ -245,6 +245,7 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
         marks=known.marks + added - hidden if known else None,
         emulated=known.emulated if known else False,
         imported=about.imported,
+        log=about.log,
         damage=" ".join(sentence for sentence in (about.came_damaged, known.damage if known else None) if sentence)
         or None,
         title=about.title,
