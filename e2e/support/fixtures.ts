@@ -13,6 +13,8 @@ type Fixtures = {
   isNew: boolean;
   /** A station whose aircraft flies the Gando route. */
   flying: Station;
+  /** Closes what a journey left open. */
+  leftOpen: undefined;
 };
 
 /** One station for all journeys of a worker that serve with any, started when the first of them comes. */
@@ -78,6 +80,15 @@ export const test = base.extend<Fixtures, { shared: SharedStation }>({
     await use(station);
     await station.stop();
   },
+
+  // A page that a journey opened beside its own would go on looking for its station through all journeys after it.
+  leftOpen: [
+    async ({ browser }, use) => {
+      await use(undefined);
+      await Promise.all(browser.contexts().map((context) => context.close()));
+    },
+    { auto: true },
+  ],
 
   flying: async ({ station }, use) => {
     await station.fly();
