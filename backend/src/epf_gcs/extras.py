@@ -63,5 +63,5 @@ MAPS: Final = Extra("maps", ("rasterio",), "Importing heights")
 FLIGHTS: Final = Extra("flights", ("pyarrow", "duckdb"), "Looking into recorded flights")
 LOGS: Final = Extra("logs", ("pymavlink", "pyulog"), "Reading the logs of other autopilots")
 MAVLINK: Final = Extra("mavlink", ("pymavlink",), "Speaking MAVLink")
-ALL: Final = (SIM, MAPS, FLIGHTS)
+ALL: Final = (SIM, MAPS, FLIGHTS, LOGS)
 """What the page and the doctor look at: parts of the station itself."""
