@@ -68,6 +68,5 @@ for (const viewport of SIZES) {
         .map(({ className }) => className),
     );
     expect(scrolled, "nothing on it scrolls").toEqual([]);
-    await context.close();
   });
 }

@@ -134,7 +134,6 @@ test.describe("a pilot with nothing but a phone", () => {
       await openTab(page, say.back);
       await expect(page.getByRole("tabpanel", { name: say.back })).toBeVisible();
       await seen("6-back");
-      await context.close();
     });
   }
 });

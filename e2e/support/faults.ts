@@ -116,10 +116,9 @@ export function layoutFaults(target_px: number): string[] {
     }
   }
 
-  /** An alarm lies over the page for as long as it lasts, so that nothing moves when it comes; a busy machine has some. */
+  /** An alarm lies over the page until somebody acknowledges it, so that nothing moves when it comes. */
   function isUnderAlarm(hit: Element): boolean {
-    const strip = hit.closest(".ui-alarms");
-    return strip !== null && strip.querySelector("[role=alert] .ui-alarm, [role=status] .ui-alarm") !== null;
+    return hit.closest(".ui-alarms")?.querySelector('.ui-alarm[data-acknowledged="false"]') != null;
   }
 
   function checkSideways(element: Element): void {

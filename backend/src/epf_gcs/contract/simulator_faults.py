@@ -249,7 +249,7 @@ class OrderedFault:
 
 @dataclass(frozen=True, slots=True)
 class FaultOrder:
-    """What the simulator shall do; one without anything only asks for a report. It may be repeated."""
+    """What the simulator shall do. It may be repeated."""
 
     serial: int
     begin: OrderedFault | None = None

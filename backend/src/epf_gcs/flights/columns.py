@@ -19,9 +19,10 @@ from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
 from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
 from epf_gcs.flights.convert import T_NS, log_rows, table
-from epf_gcs.flights.datagrams import RAW_ROWS, Datagrams, without_no_value
+from epf_gcs.flights.datagrams import Datagrams, without_no_value
 from epf_gcs.flights.keyframes import KeyFrames
 from epf_gcs.flights.rates import Rates
+from epf_gcs.flights.table_names import DAMAGE, KEYFRAMES, LINK, RAW_ROWS, SENT
 from epf_gcs.flights.tables import Tables
 from epf_gcs.recordings.log_table import unpacked
 from epf_gcs.recordings.notes import IDENTITY, LINE, Note
@@ -31,10 +32,6 @@ from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, LOG_TABLE, SIM
 
 Say = Callable[[float, str], None]
 
-SENT: Final = "sent_"
-"""Before the name of a command's table, for a command and a message of the board may have one name."""
-KEYFRAMES: Final = "keyframes"
-DAMAGE: Final = "damage"
 _DAMAGE: Final = pa.schema(
     [T_NS, pa.field("direction", pa.string()), pa.field("kind", pa.string()), pa.field("data", pa.binary())]
 )
@@ -161,7 +158,7 @@ class TableMaker:
                 self._tables.add(topic, one)
         rates = self._rates.table()
         if rates.num_rows:
-            self._tables.add("link", rates)
+            self._tables.add(LINK, rates)
         self.counts.is_whole = self._reader.is_whole
         self.counts.damage = self._reader.damage
 
@@ -240,8 +237,9 @@ class TableMaker:
             if found is None or rows is None:
                 self.counts.damaged["log"] += 1
                 continue
-            self.counts.last_ns = max(int(found.t_ns.max()), self.counts.last_ns or 0)
-            self.counts.first_ns = min(int(found.t_ns.min()), self.counts.first_ns or 0)
+            lowest, highest = int(found.t_ns.min()), int(found.t_ns.max())
+            self.counts.first_ns = min(lowest, self.counts.first_ns or lowest)
+            self.counts.last_ns = max(highest, self.counts.last_ns or highest)
             self._tables.add(found.topic, rows)
 
     def _decoded(self, channel: int, decoded: StretchContents) -> None:

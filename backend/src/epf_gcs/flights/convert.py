@@ -15,7 +15,7 @@ from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.codec.tables import Message, Value
 from epf_gcs.codec.values import Step, steps
 from epf_gcs.flights.bulk import Frames
-from epf_gcs.flights.logs.naming import is_reserved
+from epf_gcs.flights.table_names import is_reserved
 from epf_gcs.recordings.log_table import LogTable
 
 _NUMPY: Final = {"f": "<f4", "d": "<f8", "i": "<i4", "I": "<u4", "h": "<i2", "H": "<u2", "b": "i1", "B": "u1"}
@@ -25,7 +25,7 @@ _ARROW: Final = {"number": pa.float64(), "integer": pa.int32(), "boolean": pa.bo
 DESCRIPTION: Final = b"description"
 """Key of a table's metadata that says what its readers have to know."""
 LOG: Final = b"log"
-"""Key of the metadata of a table that is a topic of another program's log."""
+"""Key in a table's metadata: the table is a topic of another program's log."""
 T_NS: Final = pa.field("t_ns", pa.int64(), nullable=False, metadata={"unit": "ns"})
 
 

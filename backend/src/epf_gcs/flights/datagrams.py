@@ -70,7 +70,6 @@ ROWS: Final = pa.schema(
 )
 """A value that the simulator did not have is -999, as it came, until `without_no_value`."""
 
-RAW_ROWS: Final = "xplane_rows"
 _SCHEMAS: Final = {"simulator": SIMULATOR, "xplane_info": INFO, "xplane_rows": ROWS}
 
 

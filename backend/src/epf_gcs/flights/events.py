@@ -18,10 +18,11 @@ from epf_gcs.flights.flight_data import Damage, FlightData, read_field
 from epf_gcs.flights.known_changes import limit_changes, surface_paths
 from epf_gcs.flights.rates import GAP_NS
 from epf_gcs.flights.resets import resets
+from epf_gcs.flights.table_names import EVENTS
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Content, Note
 
-FILE: Final = "events.parquet"
+FILE: Final = f"{EVENTS}.parquet"
 
 _MODES: Final = ("autopilot", "autotrim", "auto_switch", "autopilot_hil", "source_joystick", "autotrim_hil")
 _PLANS: Final = {"fms_plan": "flight", "fms_hil_plan": "hil"}

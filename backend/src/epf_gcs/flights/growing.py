@@ -10,9 +10,10 @@ import numpy as np
 import pyarrow as pa
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.columns import DAMAGE, TableMaker
+from epf_gcs.flights.columns import TableMaker
 from epf_gcs.flights.fields import FieldMeaning, fields_of
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
+from epf_gcs.flights.table_names import DAMAGE
 from epf_gcs.recordings.notes import Note
 
 

@@ -9,9 +9,9 @@ of which kind of program it is a log or null.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import BinaryIO, Final
 
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.flights.fingerprint import Fingerprint
-from epf_gcs.flights.logs.log import Log
+from epf_gcs.flights.logs.log import EARLIEST_S, Log
 from epf_gcs.flights.logs.own_topics import own_topics
 from epf_gcs.flights.logs.reading import read_log
 from epf_gcs.flights.room import minding_room
@@ -32,10 +32,10 @@ from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_recor
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.parts import Part
 from epf_gcs.recordings.reading import Reader
-from epf_gcs.recordings.topics import LOG_TABLE, LOG_TOPICS, TOPICS
+from epf_gcs.recordings.topics import ALL_TOPICS, LOG_TABLE
 
 _LIBRARY: Final = "epf-gcs import"
-_EARLIEST_NS: Final = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp()) * 1_000_000_000
+_EARLIEST_NS: Final = EARLIEST_S * 1_000_000_000
 _DAY_NS: Final = 86_400 * 1_000_000_000
 _LONGEST_NS: Final = 7 * _DAY_NS
 _SET_BACK_NS: Final = 1_000_000_000
@@ -57,56 +57,55 @@ def run(arguments: list[str], say: Say) -> dict[str, int | str | None]:
 
 def _recording(source: Path, target: Path, say: Say) -> dict[str, int | str | None]:
     size = max(1, source.stat().st_size)
-    part_file = target.with_suffix(".part")
-    fingerprint, times, clock = Fingerprint(), _Times(), _SteadyClock()
-    try:
-        with part_file.open("wb") as output:
-            writer = _Writer(output, TOPICS | LOG_TOPICS)
-            reader = Reader(source)
-            for part in reader.parts():
-                times.add(part)
-                steady = clock.steady(part)
-                fingerprint.add(steady.messages)
-                writer.add(steady)
-                say(reader.place / size, "checking")
-            first_ns = times.check(time.time_ns())
-            writer.finish()
-        part_file.replace(target)
-    finally:
-        part_file.unlink(missing_ok=True)
+    fingerprint, times, clock, reader = Fingerprint(), _Times(), _SteadyClock(), Reader(source)
+    with _written(target) as writer:
+        for part in reader.parts():
+            times.add(part.messages.t_ns)
+            steady = clock.steady(part)
+            fingerprint.add(steady.messages)
+            writer.add(steady)
+            say(reader.place / size, "checking")
+        first_ns = times.check(time.time_ns())
     damage = _joined(reader.damage, clock.said())
     return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": damage, "log": None}
 
 
 def _log(log: Log, target: Path, say: Say) -> dict[str, int | str | None]:
     """A recording of a log's topics, in the order in which its reader has them."""
-    part_file = target.with_suffix(".part")
     now_ns = time.time_ns()
     times = _Times()
-    try:
-        with part_file.open("wb") as output:
-            writer = _Writer(output, LOG_TOPICS)
-            stamp_ns = 0
-            for piece in log.pieces:
-                table = piece.table if log.is_dated else piece.table._replace(t_ns=piece.table.t_ns + now_ns)
-                times.add_log(table.t_ns)
-                # A log's topics come one after the other, and a recording's time never goes back: the rows have theirs,
-                # and the messages tell where all of it begins and ends.
-                stamp_ns = max(stamp_ns, int(table.t_ns.max())) if stamp_ns else int(table.t_ns.min())
-                for one in (table, *own_topics(table)):
-                    writer.message(LOG_TABLE, stamp_ns, packed(one))
-                say(piece.share, "checking")
-            first_ns = times.check(now_ns)
-            writer.finish()
-        part_file.replace(target)
-    finally:
-        part_file.unlink(missing_ok=True)
+    stamp_ns = 0
+    with _written(target) as writer:
+        for piece in log.pieces:
+            table = piece.table if log.is_dated else piece.table._replace(t_ns=piece.table.t_ns + now_ns)
+            times.add(table.t_ns)
+            # A log's topics come one after the other, and a recording's time never goes back: the rows have theirs,
+            # and the messages tell where all of it begins and ends.
+            stamp_ns = max(stamp_ns, int(table.t_ns.max())) if stamp_ns else int(table.t_ns.min())
+            for one in (table, *own_topics(table)):
+                writer.message(LOG_TABLE, stamp_ns, packed(one))
+            say(piece.share, "checking")
+        times.check(now_ns)
     fingerprint = Fingerprint()
     for part in Reader(target).parts():
         fingerprint.add(part.messages)
     undated = None if log.is_dated else "It does not say when it was flown: here it begins when it was imported."
     damage = _joined(*log.said, undated)
-    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": damage, "log": log.kind}
+    return {"started_ns": times.lowest_ns, "fingerprint": fingerprint.text(), "damage": damage, "log": log.kind}
+
+
+@contextmanager
+def _written(target: Path) -> Iterator[_Writer]:
+    """The writer of a file that is there once it is whole, or not at all."""
+    part_file = target.with_suffix(".part")
+    try:
+        with part_file.open("wb") as output:
+            writer = _Writer(output)
+            yield writer
+            writer.finish()
+        part_file.replace(target)
+    finally:
+        part_file.unlink(missing_ok=True)
 
 
 class _Times:
@@ -114,34 +113,25 @@ class _Times:
 
     def __init__(self) -> None:
         self._first_ns: int | None = None
-        self._lowest_ns = self._highest_ns = 0
+        self.lowest_ns = self._highest_ns = 0
 
-    def add(self, part: Part) -> None:
-        t_ns = part.messages.t_ns
+    def add(self, t_ns: NDArray[np.int64]) -> None:
         if not len(t_ns):
             return
         lowest, highest = int(t_ns.min()), int(t_ns.max())
         if self._first_ns is None:
-            self._first_ns, self._lowest_ns, self._highest_ns = int(t_ns[0]), lowest, highest
-        self._lowest_ns, self._highest_ns = min(self._lowest_ns, lowest), max(self._highest_ns, highest)
-
-    def add_log(self, t_ns: NDArray[np.int64]) -> None:
-        """The times of some rows of a log, whose topics come one after the other: its first time is its lowest."""
-        lowest, highest = int(t_ns.min()), int(t_ns.max())
-        if self._first_ns is None:
-            self._first_ns, self._lowest_ns, self._highest_ns = lowest, lowest, highest
-        self._first_ns = self._lowest_ns = min(self._lowest_ns, lowest)
-        self._highest_ns = max(self._highest_ns, highest)
+            self._first_ns, self.lowest_ns, self._highest_ns = int(t_ns[0]), lowest, highest
+        self.lowest_ns, self._highest_ns = min(self.lowest_ns, lowest), max(self._highest_ns, highest)
 
     def check(self, now_ns: int) -> int:
         """The time of the first message. Raises InvalidInputError where there is none, or no clock shows such times."""
         if self._first_ns is None:
             raise InvalidInputError("recording_empty", "This recording holds no message: there is nothing to import.")
-        if self._lowest_ns < _EARLIEST_NS:
+        if self.lowest_ns < _EARLIEST_NS:
             raise _wrong_clock("it begins before the year 2000")
         if self._highest_ns > now_ns + _DAY_NS:
             raise _wrong_clock("it ends in the future")
-        if self._highest_ns - self._lowest_ns > _LONGEST_NS:
+        if self._highest_ns - self.lowest_ns > _LONGEST_NS:
             raise _wrong_clock("it lasts longer than a week")
         return self._first_ns
 
@@ -187,11 +177,10 @@ def _joined(*sentences: str | None) -> str | None:
 class _Writer:
     """Writes messages and notes in their order, without chunks."""
 
-    def __init__(self, output: BinaryIO, topics: Mapping[int, str]) -> None:
+    def __init__(self, output: BinaryIO) -> None:
         self._output = output
-        self._topics = topics
         self._tally = Tally()
-        output.write(opening(_LIBRARY, topics))
+        output.write(opening(_LIBRARY, ALL_TOPICS))
 
     def add(self, part: Part) -> None:
         channels, t_ns, starts, lengths, data = part.messages
@@ -211,7 +200,7 @@ class _Writer:
     def finish(self) -> None:
         end = data_end()
         self._output.write(end)
-        self._output.write(closing(self._topics, self._tally, self._output.tell()))
+        self._output.write(closing(ALL_TOPICS, self._tally, self._output.tell()))
 
     def _note(self, note: Note) -> None:
         self._tally.metadata_count += 1

@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.flights.columns import DAMAGE, write_columns
+from epf_gcs.flights.columns import write_columns
 from epf_gcs.flights.events import FILE, find_events, write_events
 from epf_gcs.flights.fingerprint import Fingerprint
 from epf_gcs.flights.indexed import Columns, IndexedFlight
 from epf_gcs.flights.room import minding_room
 from epf_gcs.flights.summary import summarise
+from epf_gcs.flights.table_names import DAMAGE
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.flight_summary import write_summary
 from epf_gcs.recordings.notes import REPAIRED, Note

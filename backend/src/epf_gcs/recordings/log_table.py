@@ -25,7 +25,10 @@ _BYTES: Final = 8
 
 
 class LogTable(NamedTuple):
-    """`units` by field, "1" where there is none or it is not said. t_ns: int64, (n,). columns: float64, each (n,)."""
+    """n rows. `units`: each field's, in the order of `columns`; "1" where a field has none, or the log does not say it.
+
+    t_ns: int64, (n,), Unix ns. columns: float64, each (n,); NaN where there was no value.
+    """
 
     topic: str
     units: dict[str, str]

@@ -35,13 +35,13 @@ from epf_gcs.recordings.scan import (
     scan,
     times_of,
 )
-from epf_gcs.recordings.topics import LOG_TOPICS, TOPICS
+from epf_gcs.recordings.topics import ALL_TOPICS
 
 _BLOCK_BYTES: Final = 4 << 20
 _BEHIND_DAMAGE_BYTES: Final = 1 << 14
 _LATEST_NS: Final = (1 << 63) - 1
 _CHANNEL: Final = Struct("<HHI")
-_NUMBERS: Final = {topic: number for number, topic in (TOPICS | LOG_TOPICS).items()}
+_NUMBERS: Final = {topic: number for number, topic in ALL_TOPICS.items()}
 
 
 class Messages(NamedTuple):

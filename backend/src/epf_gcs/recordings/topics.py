@@ -15,7 +15,7 @@ TOPICS: Final = {
     SIMULATOR_SENT: "simulator/sent",
 }
 LOG_TABLE: Final = 5
-LOG_TOPICS: Final = {LOG_TABLE: "log/table"}
-"""The topic of a log of another program, which has nothing else: see `log_table.py`."""
+ALL_TOPICS: Final = {**TOPICS, LOG_TABLE: "log/table"}
+"""Those of this station's recordings, and that of another program's log: see `log_table.py`."""
 # The board's line is a stream of bytes, whose reads may be put together. A datagram's two ends carry meaning.
 STREAMS: Final = frozenset({BOARD_RECEIVED, BOARD_SENT})

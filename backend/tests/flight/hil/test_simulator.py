@@ -72,7 +72,7 @@ async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path, monkey
         assert "because the simulator is at 127.0.0.1" in foreign["detail"]
 
 
-async def test_the_word_on_its_faults_that_a_relay_brings_is_not_rubbish(tmp_path: Path) -> None:
+async def test_what_the_simulator_says_of_its_faults_is_not_rubbish(tmp_path: Path) -> None:
     station = Flight(tmp_path, record=False)
     report = datagram(FaultReport(1, WindState(0.0, 0.0, "none"), ()))
     async with station.running():

@@ -21,7 +21,8 @@ from epf_gcs.flights.export.flown import TOPICS, WHERE, FlownLine, Source, attit
 from epf_gcs.flights.export.foxglove_messages import Batches, locations, logs, poses, poses_in_place
 from epf_gcs.flights.export.foxglove_schemas import LOCATION_FIX_SCHEMA, LOG_SCHEMA, POSE_SCHEMA
 from epf_gcs.flights.export.json_schemas import schema_of
-from epf_gcs.flights.export.stretch import EVENTS, Stretch, times_of
+from epf_gcs.flights.export.stretch import Stretch, times_of
+from epf_gcs.flights.table_names import EVENTS
 from epf_gcs.recordings.export_names import stretch_empty
 from epf_gcs.recordings.mcap_file import Contents, encoded, message_record, metadata_record
 from epf_gcs.recordings.packed_file import PackedFile

@@ -10,15 +10,14 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from epf_gcs.flights.columns import KEYFRAMES
-from epf_gcs.flights.events import FILE, Event, read_events
+from epf_gcs.flights.events import Event, read_events
 from epf_gcs.flights.export.asked import ExportRequest, Progress, unknown_topic
 from epf_gcs.flights.export.number_names import named_rows, named_schema
 from epf_gcs.flights.indexed import not_indexed
+from epf_gcs.flights.table_names import EVENTS, KEYFRAMES
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.places import SUMMARY, Places
 
-EVENTS: Final = FILE.removesuffix(".parquet")
 ROWS: Final = 8192
 """Rows of a batch."""
 

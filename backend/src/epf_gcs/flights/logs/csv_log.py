@@ -59,7 +59,7 @@ def read(path: Path) -> Log:
         raise unreadable(error) from error
     time = next((name for name in table.column_names if _time_of(name) is not None), None)
     if time is None:
-        raise InvalidInputError("log_no_time", "This table has no column of times: name one 'time'.")
+        raise _no_time()
     t_ns, is_dated = _times(table.column(time), _time_of(time) or "")
     said = []
     left_out = [one.name for one in table.schema if one.name != time and not _is_number(one.type)]
@@ -77,7 +77,7 @@ def _pieces(table: pa.Table, time: str, t_ns: np.ndarray) -> Iterator[Piece]:
         if one.name == time or not _is_number(one.type) or len(columns) >= MOST_FIELDS:
             continue
         name, unit = _name_and_unit(one.name)
-        units[names.of(name if name not in units else f"{name}_{place}")] = unit
+        units[names.new(name)] = unit
         values = table.column(place).cast(pa.float64()).to_numpy()
         columns.append(values[known])
     if columns:
@@ -86,12 +86,12 @@ def _pieces(table: pa.Table, time: str, t_ns: np.ndarray) -> Iterator[Piece]:
 
 
 def _times(column: pa.ChunkedArray, unit: str) -> tuple[np.ndarray, bool]:
-    """Nanoseconds, `_NO_TIME` where there is none, and whether they are Unix times."""
+    """The times of the rows in nanoseconds, `_NO_TIME` for an empty cell; and whether they count from 1970."""
     if pa.types.is_timestamp(column.type):
         unix = pc.fill_null(column.cast(pa.timestamp("ns", tz=column.type.tz)).cast(pa.int64()), _NO_TIME)
         return unix.to_numpy(), True
     if not _is_number(column.type):
-        raise InvalidInputError("log_no_time", "This table has no column of times: name one 'time'.")
+        raise _no_time()
     values = column.cast(pa.float64()).to_numpy()
     known = np.isfinite(values)
     largest = float(np.abs(values[known]).max()) if known.any() else 0.0
@@ -99,6 +99,10 @@ def _times(column: pa.ChunkedArray, unit: str) -> tuple[np.ndarray, bool]:
         if largest >= least:
             return _as_ns(values, known, scale), True
     return _as_ns(values, known, _SCALES.get(unit, 1e9)), False
+
+
+def _no_time() -> InvalidInputError:
+    return InvalidInputError("log_no_time", "This table has no column of times: name one 'time'.")
 
 
 def _as_ns(values: np.ndarray, known: np.ndarray, scale: float) -> np.ndarray:

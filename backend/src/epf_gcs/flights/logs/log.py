@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import contextlib
+import sys
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -14,6 +16,9 @@ from epf_gcs.flights.logs.naming import Names, field_names, topic_names
 from epf_gcs.recordings.log_table import LONGEST_UNIT, MOST_FIELDS, MOST_ROWS, LogTable
 
 MOST_TOPICS: Final = 1000
+EARLIEST_S: Final = 946_684_800
+"""The year 2000: no clock of a flight shows an earlier time."""
+T = TypeVar("T")
 
 
 class Piece(NamedTuple):
@@ -42,7 +47,7 @@ def reason_of(error: Exception) -> str:
 
 
 def unreadable(error: Exception) -> InvalidInputError:
-    """The log is one of a kind that is known, and yet cannot be read."""
+    """A log of a kind that is known, which its reader cannot read."""
     reason = reason_of(error)
     return InvalidInputError("log_unreadable", f"This log cannot be read: {reason}.", reason=reason)
 
@@ -67,7 +72,7 @@ class _Gathering:
         self._topic = topic
         self._fields = list(values)[:MOST_FIELDS]
         names = field_names()
-        self._units = {names.of(one): _unit(units.get(one)) for one in self._fields}
+        self._units = {names.new(one): _unit(units.get(one)) for one in self._fields}
         self._t_ns: list[int] = []
         self._rows: list[list[float]] = []
 
@@ -85,6 +90,16 @@ class _Gathering:
         return made
 
 
+def guarded(step: Callable[[], T]) -> T:
+    """What a library's step gives. At a stranger's file it may break in any way: raises InvalidInputError."""
+    try:
+        # It may print, and standard output is where a worker says how far it is.
+        with contextlib.redirect_stdout(sys.stderr):
+            return step()
+    except Exception as error:
+        raise unreadable(error) from error
+
+
 class Rows:
     """Gathers rows that come one after the other, of any topics, to tables."""
 
@@ -100,7 +115,7 @@ class Rows:
             if len(self._topics) >= MOST_TOPICS or not values:
                 self.left_out += bool(values)
                 return None
-            found = self._topics[topic] = _Gathering(self._names.of(topic), values, units)
+            found = self._topics[topic] = _Gathering(self._names.new(topic), values, units)
         return found.add(t_ns, values)
 
     @property

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-import sys
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
-from epf_gcs.errors import GatewayError
-from epf_gcs.flights.logs.log import Log, Piece, Rows, flattened, unreadable
+from epf_gcs.flights.logs.log import EARLIEST_S, Log, Piece, Rows, flattened, guarded
 
 DATAFLASH: Final = b"\xa3\x95"
 _STARTS: Final = (0xFD, 0xFE)
 _STAMP_BYTES: Final = 8
-_EARLIEST_S: Final = 946_684_800  # the year 2000
 _LATEST_S: Final = 4_102_444_800  # the year 2100
 # What describes the log itself, and words.
 _NO_TOPICS: Final = frozenset({"FMT", "FMTU", "UNIT", "MULT", "PARM", "MSG", "FILE", "BAD_DATA"})
@@ -28,20 +24,19 @@ def is_tlog(head: bytes) -> bool:
     """Whether a file that begins so has a time of this century and then a MAVLink frame."""
     if len(head) <= _STAMP_BYTES or head[_STAMP_BYTES] not in _STARTS:
         return False
-    return _EARLIEST_S < int.from_bytes(head[:_STAMP_BYTES], "big") / 1e6 < _LATEST_S
+    return EARLIEST_S < int.from_bytes(head[:_STAMP_BYTES], "big") / 1e6 < _LATEST_S
 
 
 def read_dataflash(path: Path) -> Log:
     """Raises InvalidInputError."""
     from pymavlink.DFReader import DFReader_binary  # noqa: PLC0415 - an extra of the package
 
-    reader = _guarded(lambda: DFReader_binary(str(path)))
-    first = _guarded(reader.recv_msg)
-    _guarded(reader.rewind)
-    is_dated = first is not None and getattr(first, "_timestamp", 0.0) > _EARLIEST_S
-    log = Log("dataflash", iter(()), is_dated=is_dated)
-    log.pieces = _pieces(reader, _dataflash_row, log.said)
-    return log
+    reader = guarded(lambda: DFReader_binary(str(path)))
+    first = guarded(reader.recv_msg)
+    guarded(reader.rewind)
+    is_dated = first is not None and getattr(first, "_timestamp", 0.0) > EARLIEST_S
+    said: list[str] = []
+    return Log("dataflash", _pieces(reader, _dataflash_row, said), is_dated, said)
 
 
 def read_tlog(path: Path) -> Log:
@@ -49,20 +44,8 @@ def read_tlog(path: Path) -> Log:
     os.environ["MAVLINK20"] = "1"
     from pymavlink.mavutil import mavlogfile  # noqa: PLC0415 - an extra of the package
 
-    log = Log("tlog", iter(()))
-    log.pieces = _pieces(_guarded(lambda: mavlogfile(str(path))), _Systems().row, log.said)
-    return log
-
-
-def _guarded(step: Callable[[], Any]) -> Any:
-    try:
-        # It prints, and standard output is where a worker says how far it is.
-        with contextlib.redirect_stdout(sys.stderr):
-            return step()
-    except GatewayError:
-        raise
-    except Exception as error:
-        raise unreadable(error) from error
+    said: list[str] = []
+    return Log("tlog", _pieces(guarded(lambda: mavlogfile(str(path))), _Systems().row, said), said=said)
 
 
 class _Row(NamedTuple):
@@ -76,12 +59,12 @@ def _pieces(reader: Any, row_of: Callable[[Any], _Row], said: list[str]) -> Iter
     rows = Rows()
     damaged = 0
     try:
-        while (message := _guarded(reader.recv_msg)) is not None:
+        while (message := guarded(reader.recv_msg)) is not None:
             name = message.get_type()
             if name in _NO_TOPICS or name.startswith("UNKNOWN_"):
                 damaged += name == "BAD_DATA"
                 continue
-            row = _guarded(partial(row_of, message))
+            row = guarded(partial(row_of, message))
             if not 0 <= row.t_ns < _LATEST_S * 1_000_000_000:
                 damaged += 1
                 continue

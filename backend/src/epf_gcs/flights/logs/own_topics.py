@@ -52,11 +52,7 @@ def own_topics(table: LogTable) -> Iterator[LogTable]:
         rows = (np.abs(ours["latitude_deg"]) <= 90.0) & ((ours["latitude_deg"] != 0.0) | (ours["longitude_deg"] != 0.0))
     if not rows.any():
         return
-    nothing = np.full(len(table.t_ns), np.nan)
-    meanings = fields_of(source.ours)
-    columns = [
-        ours.get(name, np.full(len(nothing), source.fixed[name]) if name in source.fixed else nothing)[rows]
-        for name in meanings
-    ]
-    units = {name: meaning.unit for name, meaning in meanings.items()}
+    units = {name: meaning.unit for name, meaning in fields_of(source.ours).items()}
+    rest = {name: np.full(len(rows), source.fixed.get(name, np.nan)) for name in units if name not in ours}
+    columns = [(ours | rest)[name][rows] for name in units]
     yield LogTable(source.ours, units, table.t_ns[rows], columns)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
@@ -11,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from pyulog import ULog
 
-from epf_gcs.flights.logs.log import Log, Piece, cut, unreadable
+from epf_gcs.flights.logs.log import Log, Piece, cut, guarded
 from epf_gcs.flights.logs.naming import field_names, topic_names
 from epf_gcs.recordings.log_table import MOST_FIELDS
 
@@ -22,12 +20,8 @@ _UTC: Final = "time_utc_usec"
 
 def read(path: Path) -> Log:
     """Raises InvalidInputError."""
-    try:
-        # It prints, and standard output is where a worker says how far it is.
-        with contextlib.redirect_stdout(sys.stderr):
-            found = ULog(str(path))
-    except Exception as error:
-        raise unreadable(error) from error
+    with path.open("rb") as file:
+        found = guarded(lambda: ULog(file))
     ahead_us = _ahead_us(found.data_list)
     log = Log("ulog", _pieces(found.data_list, ahead_us or 0), is_dated=ahead_us is not None)
     if found.file_corruption:
@@ -56,8 +50,8 @@ def _pieces(topics: list[Any], ahead_us: int) -> Iterator[Piece]:
         if _TIME not in one.data or not fields:
             continue
         fields_here = field_names()
-        topic = names.of(one.name if one.multi_id == 0 else f"{one.name}_{one.multi_id}")
-        units = {fields_here.of(name): "1" for name in fields[:MOST_FIELDS]}
+        topic = names.new(one.name if one.multi_id == 0 else f"{one.name}_{one.multi_id}")
+        units = {fields_here.new(name): "1" for name in fields[:MOST_FIELDS]}
         t_ns = (one.data[_TIME].astype(np.int64) + ahead_us) * 1000
         for table in cut(topic, units, t_ns, [one.data[name] for name in fields[:MOST_FIELDS]]):
             yield Piece(table, number / len(topics))
