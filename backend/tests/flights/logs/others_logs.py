@@ -106,8 +106,8 @@ def ulog(seed: int, *, knows_time: bool = True) -> bytes:
     return out.getvalue()
 
 
-def mcap(seed: int) -> bytes:
-    """Foxglove's kind of file: JSON, nested."""
+def mcap(seed: int, *, broken: int = 0) -> bytes:
+    """Foxglove's kind of file: JSON, nested; the first so many messages are cut."""
     drawn, out = random.Random(seed), BytesIO()
     writer = Writer(out)
     writer.start("", "another program")
@@ -116,7 +116,8 @@ def mcap(seed: int) -> bytes:
     for row in range(ROWS):
         pose = {"position": {"x": drawn.uniform(-9, 9), "y": row}, "ok": row % 2 == 0, "frame": "map", "q": [0.5, row]}
         time_ns = START_S * 10**9 + row * 10**7
-        writer.add_message(channel, time_ns, json.dumps(pose).encode(), time_ns)
+        text = json.dumps(pose).encode()
+        writer.add_message(channel, time_ns, text[:-1] if row < broken else text, time_ns)
     writer.finish()  # type: ignore[no-untyped-call]
     return out.getvalue()
 

@@ -194,6 +194,28 @@ def test_a_table_says_its_times_in_many_ways(tmp_path: Path, text: str, times: l
 def test_what_is_left_out_is_said(tmp_path: Path) -> None:
     said, _ = taken_in(tmp_path, table(1))
     assert said["damage"] == "Columns that are no numbers are left out: modo."
+    said, flight = taken_in(tmp_path, b"time,x\n1700000000,1\n1700000001,2,3\n1700000002,3\n")
+    assert said["damage"] == "Rows with too many or too few cells are left out: 1."
+    assert flight.samples("csv", "x").values.tolist() == [1.0, 3.0]
+    said, flight = taken_in(tmp_path, mcap(1, broken=7))
+    assert said["damage"] == "Messages that are no JSON, or have no possible time, are left out: 7."
+    assert flight.topics()[0].samples == ROWS - 7
+
+
+def test_columns_of_one_name_are_told_apart_and_the_first_column_of_times_counts(tmp_path: Path) -> None:
+    _, flight = taken_in(tmp_path, b"time,a b,a b,time\n0,1,2,50\n1,3,4,90\n")
+    assert {name: flight.samples("csv", name).values.tolist() for name in flight.fields("csv")} == {
+        "a_b": [1.0, 3.0],
+        "a_b_2": [2.0, 4.0],
+        "time": [50.0, 90.0],
+    }
+    assert flight.samples("csv", "a_b").t_s.tolist() == [0.0, 1.0]
+
+
+def test_two_logs_with_the_same_times_are_two(tmp_path: Path) -> None:
+    rows = [b"time,x\n" + b"".join(b"%d,%d\n" % (START_S + row, row + more) for row in range(50)) for more in (0, 1)]
+    prints = [taken_in(tmp_path, one)[0]["fingerprint"] for one in (*rows, rows[0])]
+    assert prints[0] == prints[2] != prints[1]
 
 
 @pytest.mark.parametrize(

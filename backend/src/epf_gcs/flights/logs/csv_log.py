@@ -49,32 +49,39 @@ def read(path: Path) -> Log:
     delimiter = _delimiter(lines[0].decode("utf-8-sig", "replace"))
     cells = [cell.strip() for line in lines[1:50] for cell in line.split(delimiter.encode())]
     has_commas = delimiter != "," and any(_COMMA.match(cell) for cell in cells)
+    skipped: list[pa_csv.InvalidRow] = []
+
+    def skip(row: pa_csv.InvalidRow) -> str:
+        skipped.append(row)
+        return "skip"
+
     try:
         table = pa_csv.read_csv(
             path,
-            parse_options=pa_csv.ParseOptions(delimiter=delimiter, invalid_row_handler=lambda _: "skip"),
+            parse_options=pa_csv.ParseOptions(delimiter=delimiter, invalid_row_handler=skip),
             convert_options=pa_csv.ConvertOptions(decimal_point="," if has_commas else "."),
         )
     except (pa.ArrowException, ValueError, OSError) as error:
         raise unreadable(error) from error
-    time = next((name for name in table.column_names if _time_of(name) is not None), None)
+    units = [_time_of(name) for name in table.column_names]
+    time = next((place for place, unit in enumerate(units) if unit is not None), None)
     if time is None:
         raise _no_time()
-    t_ns, is_dated = _times(table.column(time), _time_of(time) or "")
-    said = []
-    left_out = [one.name for one in table.schema if one.name != time and not _is_number(one.type)]
+    t_ns, is_dated = _times(table.column(time), units[time] or "")
+    said = [f"Rows with too many or too few cells are left out: {len(skipped)}."] if skipped else []
+    left_out = [one.name for place, one in enumerate(table.schema) if place != time and not _is_number(one.type)]
     if left_out:
         said.append(f"Columns that are no numbers are left out: {', '.join(left_out[:20])}.")
     return Log("csv", _pieces(table, time, t_ns), is_dated, said)
 
 
-def _pieces(table: pa.Table, time: str, t_ns: np.ndarray) -> Iterator[Piece]:
+def _pieces(table: pa.Table, time: int, t_ns: np.ndarray) -> Iterator[Piece]:
     names = field_names()
     units: dict[str, str] = {}
     columns: list[np.ndarray] = []
     known = t_ns != _NO_TIME
     for place, one in enumerate(table.schema):
-        if one.name == time or not _is_number(one.type) or len(columns) >= MOST_FIELDS:
+        if place == time or not _is_number(one.type) or len(columns) >= MOST_FIELDS:
             continue
         name, unit = _name_and_unit(one.name)
         units[names.new(name)] = unit
