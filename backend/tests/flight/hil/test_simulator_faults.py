@@ -119,6 +119,16 @@ async def test_the_wind_is_set_and_told(station: Flight, told: list[Event]) -> N
         assert [one for one in told if isinstance(one, WindEvent)] == [WindEvent(250.0, 15.0, "moderate")]
 
 
+async def test_closing_the_simulators_port_ends_its_faults_at_once(station: Flight, told: list[Event]) -> None:
+    station_port = free_udp_port()
+    with embedded_simulator(station_port) as port:
+        await joined(station, port, station_port)
+        await ask(station, BeginFault("gyro", "bias"))
+        await station.lines.close_simulator()
+        assert flown(station) is None
+        assert states(told) == [("begun", "gyro.bias"), ("ended", "gyro.bias")]
+
+
 async def test_a_simulator_that_is_gone_takes_no_orders_and_its_faults_have_ended(
     station: Flight, told: list[Event]
 ) -> None:
