@@ -15,13 +15,18 @@ test("one command flies: it prints the page's address, the loop is closed, and C
     await until(`the address\n${launcher.output}`, () => (launcher.output.includes(url) ? true : undefined));
     await page.goto(url, { waitUntil: "domcontentloaded" });
     await expect(page.getByRole("img", { name: "Indicador de actitud" })).toHaveAttribute("data-state", "live");
-    // The first waypoint is 2.4 km away; its distance shrinks while the board's own code flies there.
-    const distance = async () => {
+    // The first waypoint is 2.4 km away; its distance shrinks until it is reached, while the board's own code flies there.
+    const plan = async () => {
       const telemetry = await (await fetch(`${url}/api/v1/telemetry`)).json();
-      return telemetry.fms_hil_plan.values.distance_m as number;
+      return telemetry.fms_hil_plan.values as { waypoint: number; distance_m: number };
     };
-    const first = await distance();
-    await expect.poll(distance).toBeLessThan(first - 200);
+    const first = await plan();
+    await expect
+      .poll(async () => {
+        const { waypoint, distance_m } = await plan();
+        return waypoint !== first.waypoint || distance_m < first.distance_m - 200;
+      })
+      .toBe(true);
   } finally {
     expect(await launcher.stop("SIGINT")).toBe(0);
     await rm(data, { recursive: true, force: true });
