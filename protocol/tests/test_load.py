@@ -66,7 +66,7 @@ def test_a_profile_replaces_the_values_of_its_row_alone() -> None:
 def test_the_real_definition_is_consistent() -> None:
     model = load(PROTOCOL / "definition")
     assert len(model.messages) == 21
-    assert len(model.commands) == 76
+    assert len(model.commands) == 77
 
 
 FAULTS = {

@@ -22,9 +22,10 @@ ARGUMENTS: Final[dict[str, tuple[float, ...]]] = {
     "mission_commit": (1,),
     "mission_read": (1,),
     "go_to_waypoint": (1, 0),
-    "describe_item": (0,),
+    "describe_blocks": (0, 1),
     "own_gain_get": (0,),
     "own_gain_set": (0, 1.0),
+    "own_topics": (1,),
 } | {f"set_{parameter.name}": (parameter.default,) for parameter in PARAMETERS}
 """What each command that takes something is given."""
 

@@ -19,7 +19,8 @@ from board_tests.line.others import (
     original_commands_are_answered_by_no_extension,
 )
 from board_tests.line.station import LEVEL_FLIGHT, Station
-from board_tests.line.test_own_gains import LAW, LINE, row_of, value_of
+from board_tests.line.test_own_gains import LAW, LINE, rows_of_board, value_of
+from epf_gcs.codec.description import GainRow
 from epf_gcs.codec.messages_gen import COMMANDS
 
 DONE, BAD_VALUE = 0, 1
@@ -71,8 +72,9 @@ def test_the_image_describes_itself_and_takes_its_law(plugged: Images) -> None:
     station = plugged()
     station.open_binary()
     station.extend()
-    assert station.ask("describe") == DONE
-    assert row_of(station, LAW).values[8].rstrip(b"\0") == b"guidance_law"
+    law = rows_of_board(station)[LAW]
+    assert isinstance(law, GainRow)
+    assert law.name == "guidance_law"
     assert station.ask("own_gain_set", LAW, LINE) == DONE
     assert value_of(station, LAW) == LINE
 

@@ -6,9 +6,9 @@ import math
 import zlib
 
 from board_tests.line.station import Station
+from epf_gcs.codec.description import BLOCK_SIZE, GainRow, Row, TopicRow, UnreadableRow, rows_of
 from epf_gcs.codec.frame import Frame
-from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY_BY_NAME
-from epf_gcs.codec.values import meaning
+from epf_gcs.codec.messages_gen import COMMANDS
 
 DONE, BAD_VALUE = 0, 1
 LAW, BANK_LIMIT = 0, 1
@@ -21,9 +21,24 @@ def answer(station: Station, name: str) -> Frame:
     return frame
 
 
-def row_of(station: Station, row: int) -> Frame:
-    assert station.ask("describe_item", row) == DONE
-    return answer(station, "description_row")
+def table_of(station: Station) -> tuple[bytes, int]:
+    """The table in which the board describes itself, and its checksum as the board tells it."""
+    assert station.ask("describe") == DONE
+    size, crc32 = answer(station, "description").values
+    count = -(-size // BLOCK_SIZE)
+    table = b""
+    for first in range(0, count, 8):
+        number = min(8, count - first)
+        assert station.ask("describe_blocks", first, number) == DONE
+        station.wait(lambda number=number: station.count("description_block") == number)  # type: ignore[misc]
+        blocks = [frame for frame in station.frames if frame.message.name == "description_block"]
+        assert [frame.values[0] for frame in blocks] == list(range(first, first + number))
+        table += b"".join(frame.payload[-BLOCK_SIZE:] for frame in blocks)
+    return table[:size], crc32
+
+
+def rows_of_board(station: Station) -> list[Row]:
+    return rows_of(table_of(station)[0])
 
 
 def value_of(station: Station, row: int) -> float:
@@ -39,17 +54,18 @@ def set_value(station: Station, row: int, value: float) -> int:
     return station.ask_bytes(COMMANDS["own_gain_set"].id, station.raw_command("own_gain_set", payload))
 
 
-def test_the_board_tells_its_rows_and_their_checksum(extended: Station) -> None:
-    assert extended.ask("describe") == DONE
-    count, crc32 = answer(extended, "description").values
-    rows = [row_of(extended, row) for row in range(count)]
-    layout = TELEMETRY_BY_NAME["description_row"].struct
-    assert zlib.crc32(b"".join(layout.pack(*row.values) for row in rows)) == crc32
-    law, bank_limit, *others = [meaning(row).values for row in rows]
-    assert (law["name"], law["choices"], law["default_value"]) == ("guidance_law", "deployed|line", DEPLOYED)
-    assert (bank_limit["name"], bank_limit["unit"], bank_limit["maximum"]) == ("line_bank_limit", "deg", 60.0)
+def test_the_board_tells_its_table_and_the_checksum_of_it(extended: Station) -> None:
+    table, crc32 = table_of(extended)
+    assert zlib.crc32(table) == crc32
+    rows = rows_of(table)
+    law, bank_limit, *others = [row for row in rows if isinstance(row, GainRow)]
+    assert (law.row, law.name, law.choices, law.default) == (LAW, "guidance_law", "deployed|line", DEPLOYED)
+    assert (bank_limit.row, bank_limit.name, bank_limit.unit) == (BANK_LIMIT, "line_bank_limit", "deg")
+    assert bank_limit.maximum == 60.0
     assert len(others) == 17
-    assert not any(meaning(row).implausible for row in rows)
+    assert not any(isinstance(row, UnreadableRow) for row in rows)
+    topics = [(row.name, row.type_word, row.period_ms) for row in rows if isinstance(row, TopicRow)]
+    assert topics == [("wind", 0x1000, 500), ("line_law", 0x1001, 200)]
 
 
 def test_the_law_is_chosen_over_the_line_and_read_back(extended: Station) -> None:
@@ -69,8 +85,26 @@ def test_what_a_gain_cannot_be_is_refused_and_the_value_that_stands_is_told(exte
 
 def test_a_row_that_is_not_there_is_refused(extended: Station) -> None:
     for row in (19, -1):
-        for name in ("describe_item", "own_gain_get"):
-            frame = extended.raw_command(name, extended.command_struct(name).pack(row))
-            assert extended.ask_bytes(COMMANDS[name].id, frame) == BAD_VALUE
+        frame = extended.raw_command("own_gain_get", extended.command_struct("own_gain_get").pack(row))
+        assert extended.ask_bytes(COMMANDS["own_gain_get"].id, frame) == BAD_VALUE
         assert set_value(extended, row, 1.0) == BAD_VALUE
         assert extended.newest("own_gain") is None
+
+
+def test_a_block_behind_the_end_is_refused(extended: Station) -> None:
+    end = -(-len(table_of(extended)[0]) // BLOCK_SIZE)
+    for first, count in ((end, 1), (end - 1, 2), (-1, 1), (0, 0), (0, 9)):
+        frame = extended.raw_command("describe_blocks", extended.command_struct("describe_blocks").pack(first, count))
+        assert extended.ask_bytes(COMMANDS["describe_blocks"].id, frame) == BAD_VALUE
+
+
+def test_own_topics_come_while_they_are_on_and_end_when_the_line_is_opened_again(extended: Station) -> None:
+    wind = b"\rQT,\x00\x10\x00\x80"
+    extended.received.clear()
+    assert extended.ask("own_topics", 1) == DONE
+    extended.wait(lambda: extended.received.count(wind) >= 2)
+    extended.open_binary()
+    extended.heartbeats(2)
+    extended.received.clear()
+    extended.heartbeats(12)
+    assert extended.received.count(wind) == 0

@@ -5,14 +5,19 @@ from __future__ import annotations
 import socket
 import struct
 import threading
+import zlib
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import replace
 
 import pytest
 
+from epf_gcs.codec.description import FieldRow, KnownRow, TopicRow, packed_rows
+from epf_gcs.lab import checks_of_description
 from epf_gcs.lab.checks_of_description import DESCRIBED
 from epf_gcs.lab.conformance import conform
 from epf_gcs.lab.peer import Lack, LawsWire, Peer, TcpWire, wire
+from tests.support.fake_board import own_row
 
 HEAD, END, TOP_BIT = b"\rQT,", b"\r\n\r\n", 0x80000000
 SIZES = {50: 60, 55: 4, 58: 8, **dict.fromkeys((46, 47, 48), 4), **dict.fromkeys(range(60, 77), 4)}
@@ -178,8 +183,12 @@ class Untrue(LawsWire):
     ("check", "kind", "word", "said"),
     [
         pytest.param(0, 0x106, 2, "the CRC-32 in the description", id="another checksum"),
-        pytest.param(0, 0x107, 1, "the number in row 0: must be 0, is 32", id="another row"),
-        pytest.param(0, 0x107, 9, "a name is in snake_case", id="a name that is none"),
+        pytest.param(0, 0x107, 1, "the numbers of the blocks", id="other blocks"),
+        pytest.param(0, 0x107, 9, "the CRC-32 in the description", id="another table"),
+        pytest.param(
+            3, 0x1001, 5, "line_law with a value that cannot be.*is_slow", id="a topic with a value that cannot be"
+        ),
+        pytest.param(3, 0x1001, 0, "no frame of line_law", id="a topic that is not sent"),
         pytest.param(1, 0x108, 1, "the row in own_gain: must be 0, is 32", id="the value of another gain"),
         pytest.param(1, 0x108, 2, "the value of row 0 after it was set", id="another value"),
     ],
@@ -191,6 +200,41 @@ def test_a_board_that_describes_itself_wrongly_is_told_how(check: int, kind: int
     peer.command("capabilities")
     with pytest.raises(Lack, match=said):
         DESCRIBED[check][1](peer)
+    line.close()
+
+
+TOPIC = TopicRow(0, 0x1000, 500, "wind", "")
+FIELD = FieldRow(0, 1, 1.0, 0.0, 360.0, "from_deg", "deg", "", "")
+
+
+@pytest.mark.parametrize(
+    ("check", "rows", "said"),
+    [
+        (0, [own_row(0, "Bad")], r"row 0 \(Bad\) of the description cannot be used: name"),
+        (0, [own_row(0), own_row(1)], r"row 1 \(line_k_bank\) .*: name taken"),
+        (0, [own_row(0, step=0.0)], r"row 0 \(line_k_bank\) .*: step"),
+        (0, [own_row(0, type=6)], "type"),
+        (0, [own_row(0, help="caf\xe9")], "text"),
+        (2, [FIELD], r"row 0 \(from_deg\) .*: topic"),
+        (2, [TOPIC], r"row 0 \(wind\) .*: fields"),
+        (2, [replace(TOPIC, type_word=0xFFF), FIELD], "type word"),
+        (2, [replace(TOPIC, period_ms=0), FIELD], "period"),
+        (2, [TOPIC, FIELD, replace(TOPIC, name="more"), FIELD], "type word"),
+        (2, [TOPIC, FIELD, replace(TOPIC, type_word=0x1001), FIELD], r"row 2 \(wind\) .*: name taken"),
+        (2, [TOPIC, FIELD, FIELD], r"row 2 \(from_deg\) .*: name taken"),
+        (2, [TOPIC, replace(FIELD, type=11)], r"row 1 \(from_deg\) .*: type"),
+        (2, [TOPIC, replace(FIELD, scale=0.0)], "scale"),
+        (2, [TOPIC, replace(FIELD, minimum=361.0)], "range"),
+    ],
+)
+def test_a_table_that_breaks_a_rule_is_told_which(
+    monkeypatch: pytest.MonkeyPatch, check: int, rows: list[KnownRow], said: str
+) -> None:
+    table = packed_rows(rows)
+    monkeypatch.setattr(checks_of_description, "_table", lambda _: (table, b"", zlib.crc32(table)))
+    line = LawsWire()
+    with pytest.raises(Lack, match=said):
+        DESCRIBED[check][1](Peer(line, 0.1))
     line.close()
 
 

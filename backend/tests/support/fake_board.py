@@ -14,14 +14,18 @@ import time
 import tty
 import zlib
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import Any, Final, Self, TypeVar
 
 from epf_gcs.codec.ahrs_test import BEGIN, QUIT, SYNCHRONISE, SYNCHRONISED
+from epf_gcs.codec.description import FieldRow, GainRow, TopicRow, blocks_of, packed_rows
 from epf_gcs.codec.encode import encode_telemetry, frame_bytes
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS, TELEMETRY_BY_NAME
+
+T = TypeVar("T")
 
 HEARTBEAT_PERIOD_S = 0.02
 DESCRIBES_ITSELF = 64
@@ -43,31 +47,30 @@ _STREAMS = {"servos_in": "servos"}
 _ALL_STREAMS = ("servos", "gps", "statistics", "ahrs", "inertial", "analog", "fly_by_wire")
 
 
-def own_row(row: int, name: str = "line_k_bank", **changed: float | str) -> bytes:
-    """The payload of a row that describes a gain of 3 in 0.1..10, but for what is `changed`."""
-    values: dict[str, float | str] = {
-        "row": row,
-        "kind": 1,
-        "type": 1,
-        "needs_restart": 0,
-        "minimum": 0.1,
-        "maximum": 10.0,
-        "step": 0.1,
-        "default_value": 3.0,
-        "name": name,
-        "unit": "1/rad",
-        "group": "line",
-        "choices": "",
-        "help": "Aileron for each radian of bank error.",
-        **changed,
-    }
-    wire = [value.encode() if isinstance(value, str) else value for value in values.values()]
-    return TELEMETRY_BY_NAME["description_row"].struct.pack(*wire)
+_OWN_GAIN: Final = GainRow(
+    row=0,
+    type=1,
+    needs_restart=False,
+    minimum=0.1,
+    maximum=10.0,
+    step=0.1,
+    default=3.0,
+    name="line_k_bank",
+    unit="1/rad",
+    group="line",
+    choices="",
+    help="Aileron for each radian of bank error.",
+)
 
 
-def law_row(row: int, **changed: float | str) -> bytes:
-    """The payload of the row that describes the choice of the law."""
-    facts: dict[str, float | str] = {"type": 5, "minimum": 0, "maximum": 1, "step": 1, "default_value": 0}
+def own_row(row: int, name: str = "line_k_bank", **changed: Any) -> GainRow:
+    """A row that describes a gain of 3 in 0.1..10, but for what is `changed`."""
+    return replace(_OWN_GAIN, row=row, name=name, **changed)
+
+
+def law_row(row: int, **changed: Any) -> GainRow:
+    """The row that describes the choice of the law."""
+    facts: dict[str, Any] = {"type": 5, "minimum": 0, "maximum": 1, "step": 1, "default": 0}
     texts = {"choices": "deployed|line", "unit": "1", "help": "Law that flies the leg."}
     return own_row(row, "guidance_law", **{**facts, **texts, **changed})
 
@@ -87,11 +90,14 @@ class FakeBoard:
         # Faults by command: how often to ignore it before it works, and the result to acknowledge it with.
         self.ignore: Counter[str] = Counter()
         self.refuse: dict[str, int] = {}
+        self.lose_acknowledgement: Counter[str] = Counter()
         self.lose_item: int | None = None
-        # The rows with which it describes its own gains, their values, and how often the answer about a row is lost.
-        self.rows: list[bytes] = []
+        # The table in which it describes itself, the values of its own gains, how often an answer about a gain's row
+        # is lost, and how often a block of the table is.
+        self.table = b""
         self.own_gains: dict[int, float] = {}
         self.lose_row: Counter[int] = Counter()
+        self.lose_block: Counter[int] = Counter()
         self.lose_value = 0
         self.own_checksum: int | None = None
         self.silent = False
@@ -263,7 +269,7 @@ class FakeBoard:
         result = self.refuse.get(name, 0)
         if result == 0:
             self._act(frame)
-        if self.extended and name not in ("do_nothing", "xplane_info"):
+        if self.extended and name not in ("do_nothing", "xplane_info") and not _loses(self.lose_acknowledgement, name):
             self._write(encode_telemetry("acknowledgement", frame.message.id, result))
 
     def _act(self, frame: Frame) -> None:  # noqa: C901 - a board does many things, one line each
@@ -290,11 +296,11 @@ class FakeBoard:
         elif name.startswith("mission_"):
             self._plan(name, values)
         elif name == "describe":
-            checksum = zlib.crc32(b"".join(self.rows)) if self.own_checksum is None else self.own_checksum
-            self._write(encode_telemetry("description", len(self.rows), checksum))
-        elif name == "describe_item" and not self._loses(values[0]):
-            self._write(frame_bytes(FROM_BOARD, TELEMETRY_BY_NAME["description_row"], self.rows[values[0]]))
-        elif name.startswith("own_gain_") and not self._loses(values[0]):
+            checksum = zlib.crc32(self.table) if self.own_checksum is None else self.own_checksum
+            self._write(encode_telemetry("description", len(self.table), checksum))
+        elif name == "describe_blocks":
+            self._send_blocks(values[0], values[1])
+        elif name.startswith("own_gain_") and not _loses(self.lose_row, values[0]):
             self.own_gains[values[0]] = values[1] if name == "own_gain_set" else self.own_gains[values[0]]
             self.lose_value -= 1
             if self.lose_value < 0:
@@ -315,17 +321,17 @@ class FakeBoard:
                 if index != self.lose_item:
                     self._write(encode_telemetry("mission_item", *item))
 
-    def describe(self, *rows: bytes) -> None:
-        """Have gains of its own, each with its default."""
+    def describe(self, *rows: GainRow | TopicRow | FieldRow) -> None:
+        """Describe itself by these rows; each gain has its default."""
         self.features |= DESCRIBES_ITSELF
-        self.rows = list(rows)
-        place = [value.name for value in TELEMETRY_BY_NAME["description_row"].values].index("default_value")
-        row = TELEMETRY_BY_NAME["description_row"].struct
-        self.own_gains = {number: row.unpack(payload)[place] for number, payload in enumerate(rows)}
+        self.table = packed_rows(rows)
+        self.own_gains = {number: row.default for number, row in enumerate(rows) if isinstance(row, GainRow)}
 
-    def _loses(self, row: float) -> bool:
-        self.lose_row[int(row)] -= 1
-        return self.lose_row[int(row)] >= 0
+    def _send_blocks(self, first: int, count: int) -> None:
+        message = TELEMETRY_BY_NAME["description_block"]
+        for block, data in list(enumerate(blocks_of(self.table)))[first : first + count]:
+            if not _loses(self.lose_block, block):
+                self._write(frame_bytes(FROM_BOARD, message, struct.pack("<i", block) + data))
 
     def _gains_as_sent(self) -> list[float]:
         return [
@@ -335,3 +341,8 @@ class FakeBoard:
 
     def _write(self, data: bytes) -> None:
         os.write(self._master, data)
+
+
+def _loses(counts: Counter[T], key: T) -> bool:
+    counts[key] -= 1
+    return counts[key] >= 0

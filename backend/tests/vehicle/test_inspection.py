@@ -35,6 +35,7 @@ def test_a_frame_has_its_rate_to_the_hundredth_and_its_times_to_the_thousandth()
         "rate_hz": 2.31,
         "jitter_ms": 124.722,
         "age_s": 0.235,
+        "units": {},
     }
 
 

@@ -12,6 +12,12 @@ static void send_frame(void* context, const uint8_t* frame, size_t size)
     (void)mailbox_put(&app->transmitted, frame, size);
 }
 
+static bool line_is_idle(const void* context)
+{
+    const application_t* const app = context;
+    return mailbox_is_all_but_empty(&app->transmitted);
+}
+
 void application_reset(application_t* app, bool may_be_in_flight)
 {
     // An uploaded and acknowledged plan must survive the reset.
@@ -29,6 +35,7 @@ void application_reset(application_t* app, bool may_be_in_flight)
         .storage = storage,
         .card_is_silent = is_silent,
         .send = send_frame,
+        .is_idle = line_is_idle,
         .send_context = app,
     };
     app->started_ms = time_ms();

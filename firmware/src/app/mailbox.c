@@ -27,3 +27,8 @@ bool mailbox_put(mailbox_t* mailbox, const uint8_t* bytes, size_t size)
     }
     return fits;
 }
+
+bool mailbox_is_all_but_empty(const mailbox_t* mailbox)
+{
+    return byte_ring_room(&mailbox->ring) >= sizeof mailbox->bytes - (size_t)mailbox_rest_bytes;
+}

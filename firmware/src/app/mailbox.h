@@ -15,7 +15,8 @@
 
 enum
 {
-    mailbox_bytes = 4096 ///< the longest answer of the shell, or 350 ms of a 115200 line
+    mailbox_bytes = 4096,   ///< the longest answer of the shell, or 350 ms of a 115200 line
+    mailbox_rest_bytes = 64 ///< 6 ms of it
 };
 
 typedef struct
@@ -34,5 +35,8 @@ void mailbox_init(mailbox_t* mailbox);
 /// Put `size` bytes in and wake the reader. False, and counted, when there is no room for all of them: on a
 /// line that is too slow, frames are lost, but no task waits.
 bool mailbox_put(mailbox_t* mailbox, const uint8_t* bytes, size_t size);
+
+/// Whether the reader has taken all but `mailbox_rest_bytes`.
+bool mailbox_is_all_but_empty(const mailbox_t* mailbox);
 
 #endif

@@ -13,7 +13,7 @@
 enum
 {
     frame_overhead_bytes = 16,     ///< everything but the payload
-    frame_payload_max_bytes = 192, ///< of description_row, the longest payload of the definition
+    frame_payload_max_bytes = 132, ///< of description_block, the longest payload of the definition
     frame_max_bytes = frame_overhead_bytes + frame_payload_max_bytes,
     frame_buffer_bytes = 2 * frame_max_bytes ///< one candidate and the bytes received after it
 };

@@ -426,48 +426,32 @@ void message_hil_step_unpack(message_hil_step_t* const values, const uint8_t* co
 
 void message_description_pack(const message_description_t* const values, uint8_t* const payload)
 {
-    protocol_put_i32(payload + 0, values->row_count);
+    protocol_put_i32(payload + 0, values->table_size);
     protocol_put_u32(payload + 4, values->table_crc32);
 }
 
 void message_description_unpack(message_description_t* const values, const uint8_t* const payload)
 {
-    values->row_count = protocol_get_i32(payload + 0);
+    values->table_size = protocol_get_i32(payload + 0);
     values->table_crc32 = protocol_get_u32(payload + 4);
 }
 
-void message_description_row_pack(const message_description_row_t* const values, uint8_t* const payload)
+void message_description_block_pack(const message_description_block_t* const values, uint8_t* const payload)
 {
-    protocol_put_i32(payload + 0, values->row);
-    protocol_put_i32(payload + 4, values->kind);
-    protocol_put_i32(payload + 8, values->type);
-    protocol_put_i32(payload + 12, values->needs_restart);
-    protocol_put_f32(payload + 16, values->minimum);
-    protocol_put_f32(payload + 20, values->maximum);
-    protocol_put_f32(payload + 24, values->step);
-    protocol_put_f32(payload + 28, values->default_value);
-    memcpy(payload + 32, values->name, 32);
-    memcpy(payload + 64, values->unit, 16);
-    memcpy(payload + 80, values->group, 16);
-    memcpy(payload + 96, values->choices, 32);
-    memcpy(payload + 128, values->help, 64);
+    protocol_put_i32(payload + 0, values->block);
+    for (uint32_t i = 0; i < 32u; i++)
+    {
+        protocol_put_u32(payload + 4u + 4u * i, values->words[i]);
+    }
 }
 
-void message_description_row_unpack(message_description_row_t* const values, const uint8_t* const payload)
+void message_description_block_unpack(message_description_block_t* const values, const uint8_t* const payload)
 {
-    values->row = protocol_get_i32(payload + 0);
-    values->kind = protocol_get_i32(payload + 4);
-    values->type = protocol_get_i32(payload + 8);
-    values->needs_restart = protocol_get_i32(payload + 12);
-    values->minimum = protocol_get_f32(payload + 16);
-    values->maximum = protocol_get_f32(payload + 20);
-    values->step = protocol_get_f32(payload + 24);
-    values->default_value = protocol_get_f32(payload + 28);
-    memcpy(values->name, payload + 32, 32);
-    memcpy(values->unit, payload + 64, 16);
-    memcpy(values->group, payload + 80, 16);
-    memcpy(values->choices, payload + 96, 32);
-    memcpy(values->help, payload + 128, 64);
+    values->block = protocol_get_i32(payload + 0);
+    for (uint32_t i = 0; i < 32u; i++)
+    {
+        values->words[i] = protocol_get_u32(payload + 4u + 4u * i);
+    }
 }
 
 void message_own_gain_pack(const message_own_gain_t* const values, uint8_t* const payload)
@@ -656,14 +640,16 @@ void command_go_to_waypoint_unpack(command_go_to_waypoint_t* const values, const
     values->index = protocol_get_i32(payload + 4);
 }
 
-void command_describe_item_pack(const command_describe_item_t* const values, uint8_t* const payload)
+void command_describe_blocks_pack(const command_describe_blocks_t* const values, uint8_t* const payload)
 {
-    protocol_put_i32(payload + 0, values->row);
+    protocol_put_i32(payload + 0, values->first);
+    protocol_put_i32(payload + 4, values->count);
 }
 
-void command_describe_item_unpack(command_describe_item_t* const values, const uint8_t* const payload)
+void command_describe_blocks_unpack(command_describe_blocks_t* const values, const uint8_t* const payload)
 {
-    values->row = protocol_get_i32(payload + 0);
+    values->first = protocol_get_i32(payload + 0);
+    values->count = protocol_get_i32(payload + 4);
 }
 
 void command_own_gain_get_pack(const command_own_gain_get_t* const values, uint8_t* const payload)
@@ -686,6 +672,16 @@ void command_own_gain_set_unpack(command_own_gain_set_t* const values, const uin
 {
     values->row = protocol_get_i32(payload + 0);
     values->value = protocol_get_f32(payload + 4);
+}
+
+void command_own_topics_pack(const command_own_topics_t* const values, uint8_t* const payload)
+{
+    protocol_put_i32(payload + 0, values->on);
+}
+
+void command_own_topics_unpack(command_own_topics_t* const values, const uint8_t* const payload)
+{
+    values->on = protocol_get_i32(payload + 0);
 }
 
 int32_t protocol_telemetry_size(const uint32_t id)
@@ -724,8 +720,8 @@ int32_t protocol_telemetry_size(const uint32_t id)
         return 48;
     case MESSAGE_AUTOPILOT_PARAMETERS_ID:
         return 68;
-    case MESSAGE_DESCRIPTION_ROW_ID:
-        return 192;
+    case MESSAGE_DESCRIPTION_BLOCK_ID:
+        return 132;
     default:
         return -1;
     }
@@ -804,12 +800,13 @@ int32_t protocol_command_size(const uint32_t id)
     case COMMAND_SELECT_ALTITUDE_SOURCE_ID:
     case COMMAND_MISSION_COMMIT_ID:
     case COMMAND_MISSION_READ_ID:
-    case COMMAND_DESCRIBE_ITEM_ID:
     case COMMAND_OWN_GAIN_GET_ID:
+    case COMMAND_OWN_TOPICS_ID:
         return 4;
     case COMMAND_SERVO_OUT_ID:
     case COMMAND_MISSION_BEGIN_ID:
     case COMMAND_GO_TO_WAYPOINT_ID:
+    case COMMAND_DESCRIBE_BLOCKS_ID:
     case COMMAND_OWN_GAIN_SET_ID:
         return 8;
     case COMMAND_MISSION_ITEM_ID:

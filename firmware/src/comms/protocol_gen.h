@@ -12,7 +12,7 @@
 #define PROTOCOL_FORBIDDEN_TYPE_BITS 0x70000000u // clear in every type word
 #define PROTOCOL_OVERHEAD 16u // bytes of a frame besides its payload
 #define PROTOCOL_OPEN_BINARY_MODE "#QT\n"
-#define PROTOCOL_TELEMETRY_SIZE_MAX 192u
+#define PROTOCOL_TELEMETRY_SIZE_MAX 132u
 #define PROTOCOL_COMMAND_SIZE_MAX 60u
 
 /// Payload bytes of a type (without bit 31), or -1 for a type that does not exist.
@@ -70,8 +70,8 @@ void protocol_put_f64(uint8_t* out, double value);
 #define MESSAGE_HIL_STEP_SIZE 8u
 #define MESSAGE_DESCRIPTION_ID 0x106u
 #define MESSAGE_DESCRIPTION_SIZE 8u
-#define MESSAGE_DESCRIPTION_ROW_ID 0x107u
-#define MESSAGE_DESCRIPTION_ROW_SIZE 192u
+#define MESSAGE_DESCRIPTION_BLOCK_ID 0x107u
+#define MESSAGE_DESCRIPTION_BLOCK_SIZE 132u
 #define MESSAGE_OWN_GAIN_ID 0x108u
 #define MESSAGE_OWN_GAIN_SIZE 8u
 
@@ -222,12 +222,14 @@ void protocol_put_f64(uint8_t* out, double value);
 #define COMMAND_HIL_STEPS_ON_SIZE 0u
 #define COMMAND_DESCRIBE_ID 0x10Au
 #define COMMAND_DESCRIBE_SIZE 0u
-#define COMMAND_DESCRIBE_ITEM_ID 0x10Bu
-#define COMMAND_DESCRIBE_ITEM_SIZE 4u
+#define COMMAND_DESCRIBE_BLOCKS_ID 0x10Bu
+#define COMMAND_DESCRIBE_BLOCKS_SIZE 8u
 #define COMMAND_OWN_GAIN_GET_ID 0x10Cu
 #define COMMAND_OWN_GAIN_GET_SIZE 4u
 #define COMMAND_OWN_GAIN_SET_ID 0x10Du
 #define COMMAND_OWN_GAIN_SET_SIZE 8u
+#define COMMAND_OWN_TOPICS_ID 0x10Eu
+#define COMMAND_OWN_TOPICS_SIZE 4u
 
 #define MESSAGE_HEARTBEAT_BIT_AUTOPILOT_HIL 1
 #define MESSAGE_HEARTBEAT_BIT_SOURCE_JOYSTICK 2
@@ -422,7 +424,7 @@ void message_autopilot_parameters_unpack(message_autopilot_parameters_t* values,
 typedef struct
 {
     int32_t protocol_version; ///< Version of the extensions; 1.
-    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again. Bit 5: The times of the steps of the HIL loop can be told (hil_steps_on). Bit 6: The board tells its own gains: their names, units and ranges (describe), and their values (own_gain_get, own_gain_set).
+    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again. Bit 5: The times of the steps of the HIL loop can be told (hil_steps_on). Bit 6: The board tells its own gains and topics: their names, units and ranges (describe), and their values (own_gain_get, own_gain_set).
     char firmware_name[16]; ///< Name of the firmware, zero padded.
     char firmware_version[16]; ///< Version of the firmware, zero padded.
     int32_t uptime_ms; ///< Time since the board started. [ms]
@@ -509,47 +511,25 @@ typedef struct
 void message_hil_step_pack(const message_hil_step_t* values, uint8_t* payload);
 void message_hil_step_unpack(message_hil_step_t* values, const uint8_t* payload);
 
-/// What the board says about itself, in answer to describe. A station that has the rows with this checksum asks for none of them.
+/// What the board says about itself, in answer to describe. A station that has the table with this checksum asks for no block of it.
 typedef struct
 {
-    int32_t row_count; ///< Rows of the description, numbered from 0.
-    uint32_t table_crc32; ///< CRC-32 (IEEE 802.3) of the payloads of all description_rows in order.
+    int32_t table_size; ///< Bytes of the table of rows.
+    uint32_t table_crc32; ///< CRC-32 (IEEE 802.3) of the table.
 } message_description_t;
 
 void message_description_pack(const message_description_t* values, uint8_t* payload);
 void message_description_unpack(message_description_t* values, const uint8_t* payload);
 
-#define MESSAGE_DESCRIPTION_ROW_KIND_GAIN 1
-#define MESSAGE_DESCRIPTION_ROW_KIND_TOPIC 2
-#define MESSAGE_DESCRIPTION_ROW_KIND_EVENT 3
-#define MESSAGE_DESCRIPTION_ROW_KIND_COMMAND 4
-#define MESSAGE_DESCRIPTION_ROW_TYPE_F32 1
-#define MESSAGE_DESCRIPTION_ROW_TYPE_I32 2
-#define MESSAGE_DESCRIPTION_ROW_TYPE_U32 3
-#define MESSAGE_DESCRIPTION_ROW_TYPE_FLAG 4
-#define MESSAGE_DESCRIPTION_ROW_TYPE_ENUM 5
-#define MESSAGE_DESCRIPTION_ROW_NEEDS_RESTART_NO 0
-#define MESSAGE_DESCRIPTION_ROW_NEEDS_RESTART_YES 1
-/// One row of the description, in answer to describe_item. Its bytes change with the firmware alone.
+/// 128 bytes of the table of rows, in answer to describe_blocks. The table changes with the firmware alone.
 typedef struct
 {
-    int32_t row; ///< Its number, from 0.
-    int32_t kind; ///< What the row is; only gains are in use, the others are reserved.
-    int32_t type; ///< Type of its value; own_gain carries every type as f32.
-    int32_t needs_restart; ///< Whether a change takes effect only after the board's next start.
-    float minimum; ///< Smallest value, in the row's unit. + as the row says.
-    float maximum; ///< Largest value; of an enum, the number of its texts less 1. + as the row says.
-    float step; ///< Sensible change of the value by one press.
-    float default_value; ///< Value before anything was set. + as the row says.
-    char name[32]; ///< Its name in snake_case, unique among the rows, zero padded.
-    char unit[16]; ///< Its unit, zero padded; 1 for a plain number.
-    char group[16]; ///< Name in snake_case of what it belongs to, zero padded.
-    char choices[32]; ///< Texts of an enum's values in order from 0, with a bar between them, zero padded; empty for other types.
-    char help[64]; ///< What it does, in English, zero padded.
-} message_description_row_t;
+    int32_t block; ///< Its number, from 0.
+    uint32_t words[32]; ///< The table's bytes in their order; zeros behind its end.
+} message_description_block_t;
 
-void message_description_row_pack(const message_description_row_t* values, uint8_t* payload);
-void message_description_row_unpack(message_description_row_t* values, const uint8_t* payload);
+void message_description_block_pack(const message_description_block_t* values, uint8_t* payload);
+void message_description_block_unpack(message_description_block_t* values, const uint8_t* payload);
 
 /// The value that one of the board's own gains has, in answer to own_gain_get and own_gain_set, after a refused one too.
 typedef struct
@@ -733,16 +713,19 @@ typedef struct
 void command_go_to_waypoint_pack(const command_go_to_waypoint_t* values, uint8_t* payload);
 void command_go_to_waypoint_unpack(command_go_to_waypoint_t* values, const uint8_t* payload);
 
-#define COMMAND_DESCRIBE_ITEM_ROW_MINIMUM 0
-#define COMMAND_DESCRIBE_ITEM_ROW_MAXIMUM 65535
-/// Ask for one row of the description; answered by description_row. An unknown row is a bad value.
+#define COMMAND_DESCRIBE_BLOCKS_FIRST_MINIMUM 0
+#define COMMAND_DESCRIBE_BLOCKS_FIRST_MAXIMUM 1023
+#define COMMAND_DESCRIBE_BLOCKS_COUNT_MINIMUM 1
+#define COMMAND_DESCRIBE_BLOCKS_COUNT_MAXIMUM 8
+/// Ask for blocks of the description's table; each is answered by description_block. Blocks that lie behind its end are a bad value.
 typedef struct
 {
-    int32_t row; ///< Which row, from 0.
-} command_describe_item_t;
+    int32_t first; ///< Which block first, from 0.
+    int32_t count; ///< How many.
+} command_describe_blocks_t;
 
-void command_describe_item_pack(const command_describe_item_t* values, uint8_t* payload);
-void command_describe_item_unpack(command_describe_item_t* values, const uint8_t* payload);
+void command_describe_blocks_pack(const command_describe_blocks_t* values, uint8_t* payload);
+void command_describe_blocks_unpack(command_describe_blocks_t* values, const uint8_t* payload);
 
 #define COMMAND_OWN_GAIN_GET_ROW_MINIMUM 0
 #define COMMAND_OWN_GAIN_GET_ROW_MAXIMUM 65535
@@ -766,5 +749,16 @@ typedef struct
 
 void command_own_gain_set_pack(const command_own_gain_set_t* values, uint8_t* payload);
 void command_own_gain_set_unpack(command_own_gain_set_t* values, const uint8_t* payload);
+
+#define COMMAND_OWN_TOPICS_ON_OFF 0
+#define COMMAND_OWN_TOPICS_ON_ON 1
+/// Send the board's own topics, each at the period that its row says, until they are switched off or the line is opened again.
+typedef struct
+{
+    int32_t on; ///< Whether they are sent.
+} command_own_topics_t;
+
+void command_own_topics_pack(const command_own_topics_t* values, uint8_t* payload);
+void command_own_topics_unpack(command_own_topics_t* values, const uint8_t* payload);
 
 #endif

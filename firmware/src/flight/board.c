@@ -27,8 +27,8 @@ void board_init(board_t* board, const board_config_t* config)
 {
     memset(board, 0, sizeof *board);
     board->is_legacy = config->legacy;
-    board->table_crc32 = description_crc32();
-    board->line = (report_line_t){.send = config->send, .context = config->send_context};
+    board->table = description_summary();
+    board->line = (report_line_t){.send = config->send, .is_idle = config->is_idle, .context = config->send_context};
     telemetry_init(&board->schedule);
     tuning_init(&board->tuning);
     board_plans_init(&board->plans);
@@ -55,7 +55,9 @@ void board_open(board_t* board, uint32_t now_ms)
     board->station.is_extended = false;
     board->station.wants_steps = false;
     board->station.status_ms = now_ms;
+    own_topics_switch(&board->own_topics, false, now_ms);
     board_plans_stop_reading(&board->plans);
+    description_stop_reading(&board->reading);
 }
 
 command_result_t board_run_command(board_t* board, uint32_t type_id, const uint8_t* payload, size_t size,
@@ -88,6 +90,18 @@ board_action_t board_handle_command(board_t* board, uint32_t type_id, const uint
     return board_goes_on;
 }
 
+static void send_block(board_t* board)
+{
+    const report_line_t* const line = &board->line;
+    const bool is_idle = line->is_idle == NULL || line->is_idle(line->context);
+    size_t block = 0;
+    uint8_t bytes[description_block_bytes];
+    if (description_read_next(&board->reading, is_idle, &block) && description_block(block, bytes))
+    {
+        report_description_block(line, block, bytes);
+    }
+}
+
 bool board_tick(board_t* board, uint32_t now_ms)
 {
     if (board->station.is_extended && now_ms - board->station.status_ms >= status_period_ms)
@@ -102,7 +116,9 @@ bool board_tick(board_t* board, uint32_t now_ms)
     {
         report_mission_item(&board->line, plan, index, waypoint);
     }
-    return board_plans_is_reading(&board->plans);
+    board_send_own_topics(board, now_ms);
+    send_block(board);
+    return board_plans_is_reading(&board->plans) || description_is_reading(&board->reading);
 }
 
 void board_send_streams(board_t* board, telemetry_task_t task)

@@ -27,7 +27,8 @@ typedef struct
     const storage_t* storage; ///< NULL: there is no card
     bool card_is_silent;      ///< the card did not answer just now: it is not asked again, and counts as unreadable
     board_send_fn_t send;
-    void* send_context;
+    board_line_is_idle_fn_t is_idle; ///< of the line that `send` gives frames to; NULL: always
+    void* send_context;              ///< of both
 } board_config_t;
 
 /// What the application has to do after a command.
@@ -58,8 +59,9 @@ command_result_t board_run_command(board_t* board, uint32_t type_id, const uint8
 board_action_t board_handle_command(board_t* board, uint32_t type_id, const uint8_t* payload, size_t size,
                                     uint32_t now_ms);
 
-/// Send what is due by the clock: the board status each second, a plan being read back item by item. Call it each
-/// `board_tick_period_ms` while binary mode is open. True while a plan is being read back.
+/// Send what is due by the clock: the board status each second, own topics, a plan being read back item by item, and
+/// the board's description block by block. Call it each `board_tick_period_ms` while binary mode is open. True while a
+/// plan or the description is being read.
 bool board_tick(board_t* board, uint32_t now_ms);
 
 /// Send every stream of `task` that is on. Call it each `board->schedule.period_ms[task]` while binary mode is open.

@@ -30,20 +30,37 @@ command_result_t run_describe(void* context, int32_t argument, const uint8_t* pa
     (void)argument;
     (void)payload;
     const board_t* const board = board_of(context);
-    report_description(&board->line, description_count(), board->table_crc32);
+    report_description(&board->line, &board->table);
     return command_done;
 }
 
-command_result_t run_describe_item(void* context, int32_t argument, const uint8_t* payload)
+command_result_t run_describe_blocks(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;
-    uint8_t row[MESSAGE_DESCRIPTION_ROW_SIZE];
-    // a negative number becomes one that no row has
-    if (!description_row((size_t)protocol_get_u32(payload), row))
+    board_t* const board = board_of(context);
+    command_describe_blocks_t asked;
+    command_describe_blocks_unpack(&asked, payload);
+    if (asked.first < 0 || asked.count < COMMAND_DESCRIBE_BLOCKS_COUNT_MINIMUM ||
+        asked.count > COMMAND_DESCRIBE_BLOCKS_COUNT_MAXIMUM)
     {
         return command_bad_value;
     }
-    report_description_row(&board_of(context)->line, row);
+    // the blocks follow one by one with the tick, so that they do not delay the HIL answers
+    return description_begin_reading(&board->reading, board->table.size, (size_t)asked.first, (size_t)asked.count)
+               ? command_done
+               : command_bad_value;
+}
+
+command_result_t run_switch_own_topics(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    const int32_t on = protocol_get_i32(payload);
+    if (on != COMMAND_OWN_TOPICS_ON_OFF && on != COMMAND_OWN_TOPICS_ON_ON)
+    {
+        return command_bad_value;
+    }
+    const uint32_t now_ms = ((board_command_context_t*)context)->now_ms;
+    own_topics_switch(&board_of(context)->own_topics, on == COMMAND_OWN_TOPICS_ON_ON, now_ms);
     return command_done;
 }
 

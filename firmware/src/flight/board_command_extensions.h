@@ -9,7 +9,8 @@
 command_result_t run_tell_capabilities(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_tell_steps(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_describe(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_describe_item(void* context, int32_t argument, const uint8_t* payload);
+command_result_t run_describe_blocks(void* context, int32_t argument, const uint8_t* payload);
+command_result_t run_switch_own_topics(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_get_own_gain(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_set_own_gain(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload);

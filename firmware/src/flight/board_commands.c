@@ -88,9 +88,10 @@ const command_t board_commands[] = {
     ROW(GO_TO_WAYPOINT, run_go_to_waypoint),
     ROW(HIL_STEPS_ON, run_tell_steps),
     ROW(DESCRIBE, run_describe),
-    ROW(DESCRIBE_ITEM, run_describe_item),
+    ROW(DESCRIBE_BLOCKS, run_describe_blocks),
     ROW(OWN_GAIN_GET, run_get_own_gain),
     ROW(OWN_GAIN_SET, run_set_own_gain),
+    ROW(OWN_TOPICS, run_switch_own_topics),
 };
 
 const size_t board_commands_count = sizeof board_commands / sizeof board_commands[0];

@@ -9,9 +9,11 @@
 #include "comms/telemetry.h"
 #include "flight/board_card.h"
 #include "flight/board_plans.h"
+#include "flight/description.h"
 #include "flight/flight_loop.h"
 #include "flight/hil_loop.h"
 #include "flight/measurements.h"
+#include "flight/own_topics.h"
 #include "flight/reports.h"
 #include "flight/servo_outputs.h"
 #include "flight/tuning.h"
@@ -31,8 +33,10 @@ typedef struct
 
 typedef struct
 {
-    bool is_legacy;       ///< like a deployed board: no extension exists
-    uint32_t table_crc32; ///< of the rows that the board describes itself by
+    bool is_legacy;              ///< like a deployed board: no extension exists
+    description_summary_t table; ///< that the board describes itself by
+    description_reading_t reading;
+    own_topics_t own_topics;
     measurements_t measured;
     tuning_t tuning;
     board_plans_t plans;

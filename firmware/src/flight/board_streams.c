@@ -84,6 +84,35 @@ void board_send_stream(board_t* board, telemetry_stream_t stream)
     }
 }
 
+/// The simulated aircraft while its simulator is heard, else the real one.
+static own_topics_source_t source_of_own_topics(const board_t* board)
+{
+    const hil_loop_t* const hil = &board->hil;
+    const bool is_simulated = hil->has_newest && !failsafe_is_active(&hil->missing, failsafe_simulator_silent);
+    const control_loop_input_t input =
+        is_simulated ? hil_loop_input(hil, &board->measured) : flight_loop_input(&board->flight, &board->measured);
+    const plan_t* const plan = &board->plans.plan[is_simulated ? board_plan_hil : board_plan_flight];
+    return (own_topics_source_t){
+        .loop = is_simulated ? &hil->loop : &board->flight.loop,
+        .has_line = plan->count > 0 && position_is_valid(&input.position),
+    };
+}
+
+void board_send_own_topics(board_t* board, uint32_t now_ms)
+{
+    for (size_t i = 0; i < own_topic_count; i++)
+    {
+        const own_topic_id_t topic = (own_topic_id_t)i;
+        if (own_topics_is_due(&board->own_topics, topic, now_ms))
+        {
+            const own_topics_source_t source = source_of_own_topics(board);
+            uint8_t payload[own_topic_payload_max_bytes];
+            const size_t size = own_topics_payload(topic, &source, payload);
+            report_own_topic(&board->line, own_topics_definition(topic)->type_word, payload, size);
+        }
+    }
+}
+
 void board_send_capabilities(const board_t* board, uint32_t now_ms)
 {
     const uint32_t uptime_ms = now_ms & 0x7FFFFFFFU;

@@ -84,10 +84,11 @@ void line_law_navigate(line_law_t* law, const line_gains_t* gains, plan_t* plan,
 control_command_t line_law_command(line_law_t* law, const line_gains_t* gains, const autopilot_target_t* hold,
                                    const line_law_input_t* input, float dt_s)
 {
+    law->ground_speed_m_s =
+        wind_ground_speed_m_s(&law->legs.wind, true_airspeed_m_s(&input->state), input->state.track_deg);
     const line_follow_input_t over_ground = {
         .track_deg = input->state.track_deg,
-        .ground_speed_m_s =
-            wind_ground_speed_m_s(&law->legs.wind, true_airspeed_m_s(&input->state), input->state.track_deg),
+        .ground_speed_m_s = law->ground_speed_m_s,
         .roll_deg = input->state.roll_deg,
         .frozen = input->state.frozen,
     };

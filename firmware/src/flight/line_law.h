@@ -17,6 +17,7 @@ typedef struct
     energy_state_t energy;
     line_follow_target_t target; ///< the line that is held
     bool is_slow;                ///< over the ground: flown faster than planned, against the wind
+    float ground_speed_m_s;      ///< along the track, at the newest command
 } line_law_t;
 
 typedef struct

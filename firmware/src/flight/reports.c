@@ -1,6 +1,7 @@
 #include "flight/reports.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "comms/frame.h"
 
@@ -104,15 +105,23 @@ void report_hil_step(const report_line_t* line, uint32_t clock_ms, float step_s)
     send_hil_step(line, &values);
 }
 
-void report_description(const report_line_t* line, size_t count, uint32_t crc32)
+void report_description(const report_line_t* line, const description_summary_t* summary)
 {
-    const message_description_t values = {.row_count = (int32_t)count, .table_crc32 = crc32};
+    const message_description_t values = {.table_size = (int32_t)summary->size, .table_crc32 = summary->crc32};
     send_description(line, &values);
 }
 
-void report_description_row(const report_line_t* line, const uint8_t payload[MESSAGE_DESCRIPTION_ROW_SIZE])
+void report_description_block(const report_line_t* line, size_t block, const uint8_t bytes[description_block_bytes])
 {
-    send(line, MESSAGE_DESCRIPTION_ROW_ID, payload, MESSAGE_DESCRIPTION_ROW_SIZE);
+    uint8_t payload[MESSAGE_DESCRIPTION_BLOCK_SIZE];
+    protocol_put_i32(payload, (int32_t)block);
+    memcpy(payload + 4, bytes, description_block_bytes);
+    send(line, MESSAGE_DESCRIPTION_BLOCK_ID, payload, sizeof payload);
+}
+
+void report_own_topic(const report_line_t* line, uint32_t type_id, const uint8_t* payload, size_t size)
+{
+    send(line, type_id, payload, size);
 }
 
 void report_own_gain(const report_line_t* line, size_t row, float value)

@@ -3,6 +3,7 @@
 #ifndef FLIGHT_REPORTS_H
 #define FLIGHT_REPORTS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -10,16 +11,21 @@
 #include "comms/protocol_gen.h"
 #include "control/surfaces.h"
 #include "flight/board_sensors.h"
+#include "flight/description.h"
 #include "navigation/plan.h"
 #include "params/parameters.h"
 
 /// Hand one complete frame to the line.
 typedef void (*board_send_fn_t)(void* context, const uint8_t* frame, size_t size);
 
+/// Whether the line has all but caught up: a frame that is handed to it now leaves the board almost at once.
+typedef bool (*board_line_is_idle_fn_t)(const void* context);
+
 /// Where frames go.
 typedef struct
 {
     board_send_fn_t send;
+    board_line_is_idle_fn_t is_idle; ///< NULL: always
     void* context;
 } report_line_t;
 
@@ -40,10 +46,12 @@ void report_fly_by_wire(const report_line_t* line, const surfaces_t* surfaces);
 void report_hil_surfaces(const report_line_t* line, const surfaces_t* surfaces);
 /// When, and by how much, the HIL loop was stepped for the surfaces that were sent just now.
 void report_hil_step(const report_line_t* line, uint32_t clock_ms, float step_s);
-/// How many rows the board's description has, and the CRC-32 over them.
-void report_description(const report_line_t* line, size_t count, uint32_t crc32);
-/// A row of it, whose payload is made already.
-void report_description_row(const report_line_t* line, const uint8_t payload[MESSAGE_DESCRIPTION_ROW_SIZE]);
+/// Size and CRC-32 of the table in which the board describes itself.
+void report_description(const report_line_t* line, const description_summary_t* summary);
+/// A block of it.
+void report_description_block(const report_line_t* line, size_t block, const uint8_t bytes[description_block_bytes]);
+/// A topic of the board's own, whose payload is made already.
+void report_own_topic(const report_line_t* line, uint32_t type_id, const uint8_t* payload, size_t size);
 /// The value of an own gain, by its row.
 void report_own_gain(const report_line_t* line, size_t row, float value);
 void report_parameters(const report_line_t* line, const parameters_t* parameters);

@@ -90,6 +90,24 @@ void wind_update(wind_t* wind, const position_t* position, float airspeed_m_s, f
     }
 }
 
+bool wind_estimate(const wind_t* wind, wind_estimate_t* estimate)
+{
+    const bool is_measured = wind->variance_north < initial_variance || wind->variance_east < initial_variance;
+    if (!wind->has_anchor || !is_measured)
+    {
+        return false;
+    }
+    // the larger axis of the ellipse of errors
+    const float mean = 0.5F * (wind->variance_north + wind->variance_east);
+    const float largest = mean + hypotf(0.5F * (wind->variance_north - wind->variance_east), wind->covariance);
+    *estimate = (wind_estimate_t){
+        .from_deg = angle_wrap_360(angle_to_deg(atan2f(-wind->east_m_s, -wind->north_m_s))),
+        .speed_m_s = hypotf(wind->north_m_s, wind->east_m_s),
+        .deviation_m_s = sqrtf(fmaxf(largest, 0.0F)),
+    };
+    return true;
+}
+
 /// Sine of the angle that the heading is to the left of the track, against a wind from there.
 static float crab_sine(const wind_t* wind, float airspeed_m_s, float sin_track, float cos_track)
 {

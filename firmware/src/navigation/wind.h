@@ -21,11 +21,22 @@ typedef struct
     float airspeed_sum_m; ///< flown through the air along the stretch
 } wind_t;
 
+/// The wind as people say it.
+typedef struct
+{
+    float from_deg; ///< it blows from there, clockwise from true north, 0 to 360
+    float speed_m_s;
+    float deviation_m_s; ///< one standard deviation of its velocity, in the direction where that is largest
+} wind_estimate_t;
+
 /// No wind, as far as is known.
 void wind_init(wind_t* wind);
 
 /// The aircraft has flown for `dt_s` (>= 0) at `airspeed_m_s`, true, and is at `position` now.
 void wind_update(wind_t* wind, const position_t* position, float airspeed_m_s, float dt_s);
+
+/// The wind that is known. False, and nothing written, while nothing is, or without a position to learn from.
+bool wind_estimate(const wind_t* wind, wind_estimate_t* estimate);
 
 /// Ground speed in m/s (>= 0) along the track `track_deg`; 0 where the wind is stronger than the aircraft.
 float wind_ground_speed_m_s(const wind_t* wind, float airspeed_m_s, float track_deg);

@@ -8,7 +8,7 @@
 /// Every message and command with a payload that has fields: X(name, NAME).
 #define EACH_PAYLOAD                                                                                                   \
     X(command_control_source, COMMAND_CONTROL_SOURCE)                                                                  \
-    X(command_describe_item, COMMAND_DESCRIBE_ITEM)                                                                    \
+    X(command_describe_blocks, COMMAND_DESCRIBE_BLOCKS)                                                                \
     X(command_go_to_waypoint, COMMAND_GO_TO_WAYPOINT)                                                                  \
     X(command_mission_begin, COMMAND_MISSION_BEGIN)                                                                    \
     X(command_mission_commit, COMMAND_MISSION_COMMIT)                                                                  \
@@ -16,6 +16,7 @@
     X(command_mission_read, COMMAND_MISSION_READ)                                                                      \
     X(command_own_gain_get, COMMAND_OWN_GAIN_GET)                                                                      \
     X(command_own_gain_set, COMMAND_OWN_GAIN_SET)                                                                      \
+    X(command_own_topics, COMMAND_OWN_TOPICS)                                                                          \
     X(command_select_airspeed_source, COMMAND_SELECT_AIRSPEED_SOURCE)                                                  \
     X(command_select_altitude_source, COMMAND_SELECT_ALTITUDE_SOURCE)                                                  \
     X(command_servo_out, COMMAND_SERVO_OUT)                                                                            \
@@ -30,7 +31,7 @@
     X(message_board_status, MESSAGE_BOARD_STATUS)                                                                      \
     X(message_capabilities, MESSAGE_CAPABILITIES)                                                                      \
     X(message_description, MESSAGE_DESCRIPTION)                                                                        \
-    X(message_description_row, MESSAGE_DESCRIPTION_ROW)                                                                \
+    X(message_description_block, MESSAGE_DESCRIPTION_BLOCK)                                                            \
     X(message_fly_by_wire, MESSAGE_FLY_BY_WIRE)                                                                        \
     X(message_fms_hil_plan, MESSAGE_FMS_HIL_PLAN)                                                                      \
     X(message_fms_plan, MESSAGE_FMS_PLAN)                                                                              \

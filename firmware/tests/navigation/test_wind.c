@@ -94,6 +94,33 @@ static void a_pause_or_a_lost_position_is_no_wind(void** state)
     assert_close(wind.east_m_s, before.east_m_s, 0.0);
 }
 
+static void the_wind_is_told_from_where_it_blows_and_how_sure_it_is(void** state)
+{
+    (void)state;
+    wind_t wind;
+    wind_init(&wind);
+    wind_estimate_t estimate;
+    position_t at = {27.95, -15.4};
+    double heading_deg = 10.0;
+    assert_false(wind_estimate(&wind, &estimate));
+    wind_update(&wind, &at, 28.0F, 0.02F);
+    assert_false(wind_estimate(&wind, &estimate));
+    fly(&wind, &at, &heading_deg, 0.0, 10.0);
+    assert_true(wind_estimate(&wind, &estimate));
+    const float before_m_s = estimate.deviation_m_s; // the wind across the track is not known yet
+    assert_true(before_m_s > 5.0F);
+    fly(&wind, &at, &heading_deg, 10.0, 12.0);
+    fly(&wind, &at, &heading_deg, -10.0, 12.0);
+    fly(&wind, &at, &heading_deg, 0.0, 10.0);
+    assert_true(wind_estimate(&wind, &estimate));
+    assert_close(estimate.from_deg, 315.0, 5.0);
+    assert_close(estimate.speed_m_s, hypot(north_m_s, east_m_s), 1.0);
+    assert_true(estimate.deviation_m_s < 0.5F * before_m_s);
+    const position_t nowhere = {(double)NAN, (double)NAN};
+    wind_update(&wind, &nowhere, 28.0F, 0.02F);
+    assert_false(wind_estimate(&wind, &estimate));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -102,6 +129,7 @@ int main(void)
         cmocka_unit_test(the_heading_goes_into_the_wind),
         cmocka_unit_test(a_wind_stronger_than_the_aircraft_leaves_no_ground_speed),
         cmocka_unit_test(a_pause_or_a_lost_position_is_no_wind),
+        cmocka_unit_test(the_wind_is_told_from_where_it_blows_and_how_sure_it_is),
     };
     return cmocka_run_group_tests_name("navigation.wind", tests, NULL, NULL);
 }

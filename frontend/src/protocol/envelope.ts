@@ -204,7 +204,7 @@ function isSample(value: unknown): value is Sample {
     return false;
   }
   const values = value["values"];
-  // A topic that this page does not know may hold anything: nothing reads it.
+  // A topic that this page does not know may hold anything: who reads it looks at each value.
   for (const [field, kind] of FIELD_KINDS.get(value["topic"]) ?? []) {
     const entry = values[field];
     if (entry !== null && (typeof entry !== kind || (kind === "number" && !Number.isFinite(entry)))) {

@@ -1230,7 +1230,8 @@ export type ImportedWaypoint = Checked<typeof isImportedWaypoint>;
 /** One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals, null
  * for what is only sent when asked for.
  *
- * A type that this gateway does not know is named `unknown_0x…` and has no values. */
+ * A type that this gateway does not know is named `unknown_0x…` and has no values. `units` are those of the values, by
+ * name, "1" for a plain number. */
 export const isInspectedFrame = shape({
   age_s: nullable(isNumber),
   count: isNumber,
@@ -1240,6 +1241,7 @@ export const isInspectedFrame = shape({
   name: isText,
   rate_hz: isNumber,
   stale_after_s: nullable(isNumber),
+  units: dictionary(isText),
   values: nullable(dictionary(nullable(either(isNumber, isFlag, isText)))),
 });
 export type InspectedFrame = Checked<typeof isInspectedFrame>;
@@ -1358,7 +1360,7 @@ export type JournalEvent = Checked<typeof isJournalEvent>;
 /** A row that breaks a rule and cannot be used; `name` is null where it has none that can be read. */
 export const isLeftOutRow = shape({
   name: nullable(isText),
-  reason: oneOf("lost", "too_many", "kind", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices"),
+  reason: oneOf("lost", "too_many", "kind", "length", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices", "topic", "type_word", "period", "scale", "fields", "size"),
   row: isNumber,
 });
 export type LeftOutRow = Checked<typeof isLeftOutRow>;
@@ -1593,6 +1595,20 @@ export const isOnlineState = shape({
 });
 export type OnlineState = Checked<typeof isOnlineState>;
 
+/** A quantity of an own topic. The integer of the wire times `scale`, and both limits, are in `unit`; of an enum
+ * they are places of `choices` from 0. `sign` says what positive means. */
+export const isOwnFieldDefinition = shape({
+  choices: list(isText),
+  maximum: isNumber,
+  minimum: isNumber,
+  name: isText,
+  scale: isNumber,
+  sign: isText,
+  type: oneOf("f32", "i32", "u32", "flag", "enum", "f64", "i16", "u16", "i8", "u8"),
+  unit: isText,
+});
+export type OwnFieldDefinition = Checked<typeof isOwnFieldDefinition>;
+
 /** One row of a board's table. Limits, step and default are in `unit`; of an enum, places of `choices` from 0. */
 export const isOwnGainDefinition = shape({
   choices: list(isText),
@@ -1620,15 +1636,27 @@ export const isOwnGainState = shape({
 });
 export type OwnGainState = Checked<typeof isOwnGainState>;
 
-/** The board's table. Until it is known `gains` are those of the board that was heard last, if any.
+/** One own topic: what its frames hold, in order, and how often (ms) the board means to send them. */
+export const isOwnTopicDefinition = shape({
+  doc: isText,
+  fields: list(isOwnFieldDefinition),
+  name: isText,
+  period_ms: isNumber,
+  row: isNumber,
+  type_word: isNumber,
+});
+export type OwnTopicDefinition = Checked<typeof isOwnTopicDefinition>;
+
+/** The board's table. Until it is known `gains` and `topics` are those of the board that was heard last, if any.
  *
- * `rows_read` of `row_count` have come while it is being read. */
+ * `blocks_read` of `block_count` have come while it is being read. */
 export const isOwnGainTable = shape({
+  block_count: isNumber,
+  blocks_read: isNumber,
   gains: list(isOwnGainDefinition),
   left_out: list(isLeftOutRow),
-  row_count: isNumber,
-  rows_read: isNumber,
   state: oneOf("none", "unknown", "reading", "known"),
+  topics: list(isOwnTopicDefinition),
 });
 export type OwnGainTable = Checked<typeof isOwnGainTable>;
 

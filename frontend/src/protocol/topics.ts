@@ -64,8 +64,3 @@ export const FIELD_KINDS: ReadonlyMap<string, ReadonlyArray<readonly [string, Ki
   ["ahrs_test", AHRS_TEST_FIELDS.map((name) => [name, "number"] as const)] as const,
   ["simulator", SIMULATOR_FIELDS.map((name) => [name, "number"] as const)] as const,
 ]);
-
-/** Whether this is the name of a topic of the stream. */
-export function isTopic(name: string): name is TopicName {
-  return FIELD_KINDS.has(name);
-}

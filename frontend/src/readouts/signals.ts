@@ -1,4 +1,4 @@
-import { isTopic, type NumberField, type TopicName } from "../protocol/topics";
+import type { NumberField, TopicName } from "../protocol/topics";
 import type { TelemetryStore } from "../store/telemetry";
 
 export interface SignalText {
@@ -75,7 +75,7 @@ export function liveSignal(telemetry: TelemetryStore, signal: Signal, now_ms: nu
 
 function liveOperand(telemetry: TelemetryStore, name: string, now_ms: number): number | null {
   const [topic = "", field = ""] = name.split(".");
-  if (!isTopic(topic) || telemetry.state(topic, now_ms) !== "live") {
+  if (telemetry.state(topic, now_ms) !== "live") {
     return null;
   }
   const value = telemetry.newestValueOf(topic, field);

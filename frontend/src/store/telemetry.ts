@@ -18,7 +18,7 @@ const TRANSPORT_S = 0.15;
 const ROW_STALE_AFTER_S = 1;
 
 /** What a simulator says that is paused: it arrives, but it is not live. */
-const PAUSED_TOPICS: ReadonlySet<TopicName> = new Set<TopicName>(["simulator", "xplane_info"]);
+const PAUSED_TOPICS: ReadonlySet<string> = new Set<TopicName>(["simulator", "xplane_info"]);
 
 /** A row of the simulator: its eight values, null where it has none, and when the gateway last sent it. */
 export interface HeardRow {
@@ -132,18 +132,18 @@ export class TelemetryStore {
    * When the gateway received the topic's newest sample, seconds of its clock: different for each sample; null if
    * there is none.
    */
-  newestAt_s(topic: TopicName): number | null {
+  newestAt_s(topic: string): number | null {
     return this.#newest.get(topic)?.t_s ?? null;
   }
 
   /** Age of the topic's newest sample since it reached the gateway, seconds; null if there is none. */
-  age_s(topic: TopicName, now_ms: number): number | null {
+  age_s(topic: string, now_ms: number): number | null {
     const sample = this.#newest.get(topic);
     const server_s = this.#clock.now_s(now_ms / 1000);
     return sample === undefined || server_s === null ? null : Math.max(0, server_s - sample.t_s);
   }
 
-  state(topic: TopicName, now_ms: number): DataState {
+  state(topic: string, now_ms: number): DataState {
     const age_s = this.age_s(topic, now_ms);
     if (age_s === null) {
       return "none";
@@ -163,19 +163,20 @@ export class TelemetryStore {
     return this.state(topic, now_ms) === "live" ? this.newestNumber(topic, field) : null;
   }
 
-  /** `newestNumber` of a field whose name is only known at run time; null if the topic has no such field. */
-  newestNumberOf(topic: TopicName, field: string): number | null {
+  /** `newestNumber` of a topic or field whose name is only known at run time; null if there is no such field. */
+  newestNumberOf(topic: string, field: string): number | null {
     const value = this.#newest.get(topic)?.values[field];
     return typeof value === "number" ? value : null;
   }
 
-  /** A value of a topic's newest sample, whatever its kind; null if there is none. */
-  newestValueOf(topic: TopicName, field: string): number | boolean | null {
-    return this.#newest.get(topic)?.values[field] ?? null;
+  /** A number or flag of a topic's newest sample; null if there is none. */
+  newestValueOf(topic: string, field: string): number | boolean | null {
+    const value: unknown = this.#newest.get(topic)?.values[field];
+    return typeof value === "number" || typeof value === "boolean" ? value : null;
   }
 
   /** `liveNumber` of a field whose name is only known at run time; null if the topic has no such field. */
-  liveNumberOf(topic: TopicName, field: string, now_ms: number): number | null {
+  liveNumberOf(topic: string, field: string, now_ms: number): number | null {
     return this.state(topic, now_ms) === "live" ? this.newestNumberOf(topic, field) : null;
   }
 

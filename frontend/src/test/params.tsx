@@ -15,7 +15,7 @@ export type GainStates = Partial<Record<ParameterName, Partial<GainState>>>;
 
 /** A board that does not describe itself. */
 const NO_OWN_GAINS: OwnGains = {
-  table: { state: "none", rows_read: 0, row_count: 0, gains: [], left_out: [] },
+  table: { state: "none", blocks_read: 0, block_count: 0, gains: [], topics: [], left_out: [] },
   values: {},
 };
 

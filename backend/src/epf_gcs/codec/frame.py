@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from struct import Struct
 from typing import Any, Final, Literal, NamedTuple
@@ -98,6 +98,16 @@ class _Layout(NamedTuple):
     message: Message
 
 
+# Header and type together are the key: one look-up gives message and length, and rejects wrong type bits.
+def _layouts(direction: Direction, messages: Iterable[Message]) -> dict[bytes, _Layout]:
+    return {
+        direction.header + (direction.type_bit | message.id).to_bytes(4, "little"): _Layout(
+            _START_SIZE + message.size + _TAIL_SIZE, Struct(f"<{message.size // 4 + 3}I").unpack_from, message
+        )
+        for message in messages
+    }
+
+
 class FrameDecoder:
     """Turn chunks of any size into frames, finding the next header after damage.
 
@@ -106,23 +116,22 @@ class FrameDecoder:
     """
 
     def __init__(self, direction: Direction = FROM_BOARD) -> None:
+        self._direction = direction
         self._header = direction.header
         self._type_bit = direction.type_bit
-        # Header and type together are the key: one look-up gives message and length, and rejects wrong type bits.
-        self._layouts = {
-            direction.header + (direction.type_bit | message.id).to_bytes(4, "little"): _Layout(
-                _START_SIZE + message.size + _TAIL_SIZE,
-                Struct(f"<{message.size // 4 + 3}I").unpack_from,
-                message,
-            )
-            for message in direction.messages.values()
-        }
+        self._built_in = _layouts(direction, direction.messages.values())
+        self._layouts = self._built_in
         self._smallest = min(layout.size for layout in self._layouts.values())
         self._buffer = b""
         self._need = 1  # buffer size from which anything new can be decided
         self._frame_was_last = False  # the last byte received was the last of a frame
         self._run = b""  # skipped bytes not yet handed out
         self._run_is_remains = False
+
+    def learn(self, own: Iterable[Message]) -> None:
+        """From the next byte on, frames of these messages are known beside the built-in ones, and no others."""
+        self._layouts = {**self._built_in, **_layouts(self._direction, own)}
+        self._smallest = min(layout.size for layout in self._layouts.values())
 
     @property
     def missing_bytes(self) -> int:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Final, Literal
 
 Kind = Literal["number", "integer", "boolean", "text"]
-Encoding = Literal["plain", "flag", "bit", "ascii_digits", "ascii_flag", "text"]
+Encoding = Literal["plain", "flag", "bit", "ascii_digits", "ascii_flag", "text", "scaled"]
 ConfirmBy = Literal["none", "heartbeat", "frame", "plan", "read_back"]
 Move = Literal["", "next", "previous", "first"]
 
@@ -24,6 +24,7 @@ class Value:
     `slot` is its index in the unpacked tuple; `encoding` says how the wire holds it. A value outside
     `minimum`..`maximum` is implausible and means "no data". `absent` (NaN or a number) is the wire value by which
     the board itself says "no data"; it does not count as implausible. `names` gives an integer's values by name.
+    A scaled value is the integer of the wire times `scale`, and so are its limits.
     """
 
     name: str
@@ -40,6 +41,7 @@ class Value:
     default: float | None = None
     letters: tuple[str, str] | None = None
     names: Mapping[str, int] = field(default_factory=lambda: _NO_NAMES)
+    scale: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import lru_cache
 from struct import Struct
 from typing import Any, Final, NamedTuple
@@ -151,6 +151,8 @@ def _step(value: Value) -> Step:
             read = _ascii_digits(value)
         case "ascii_flag":
             read = _ascii_flag(value)
+        case "scaled":
+            read = _scaled(value)
         case "plain":
             pass
     minimum = -math.inf if value.minimum is None else value.minimum
@@ -160,6 +162,31 @@ def _step(value: Value) -> Step:
     return Step(value.name, value.slot, minimum, maximum, value.absent, read)
 
 
-_PLANS: Final[Mapping[Message, tuple[Step, ...]]] = {
-    message: tuple(_step(value) for value in message.values) for message in (*TELEMETRY.values(), *COMMANDS.values())
-}
+def _scaled(value: Value) -> Callable[[int], float | None]:
+    scale, digits = value.scale, _digits_of(value.scale)
+    minimum = -math.inf if value.minimum is None else value.minimum
+    maximum = math.inf if value.maximum is None else value.maximum
+
+    def read(raw: int) -> float | None:
+        number = round(raw * scale, digits)
+        return number if minimum <= number <= maximum else None
+
+    return read
+
+
+def _digits_of(scale: float) -> int:
+    """Decimals that tell two neighbours apart, and six more: 0.1 times 3 is 0.3."""
+    return 6 - math.floor(math.log10(abs(scale)))
+
+
+class _Plans(dict[Message, tuple[Step, ...]]):
+    """Those of a board's own messages are made when the first comes."""
+
+    def __missing__(self, message: Message) -> tuple[Step, ...]:
+        made = self[message] = tuple(_step(value) for value in message.values)
+        return made
+
+
+_PLANS: Final = _Plans(
+    {message: tuple(_step(value) for value in message.values) for message in (*TELEMETRY.values(), *COMMANDS.values())}
+)

@@ -29,7 +29,8 @@ class InspectedFrame(Shape):
     """One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals, null
     for what is only sent when asked for.
 
-    A type that this gateway does not know is named `unknown_0x…` and has no values.
+    A type that this gateway does not know is named `unknown_0x…` and has no values. `units` are those of the values, by
+    name, "1" for a plain number.
     """
 
     id: int
@@ -41,6 +42,7 @@ class InspectedFrame(Shape):
     age_s: float | None
     stale_after_s: float | None
     values: Mapping[str, float | int | bool | str | None] | None
+    units: Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)

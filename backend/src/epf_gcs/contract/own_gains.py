@@ -8,25 +8,33 @@ from typing import Final, Literal
 
 from epf_gcs.contract.answers import GainState, GainStateName
 from epf_gcs.contract.base import Shape
+from epf_gcs.contract.own_topics import OwnTopicDefinition
 
-MOST_ROWS: Final = 512
-"""Far more than any board has: a damaged count does not make the station ask for hours."""
+MOST_ROWS: Final = 1024
+"""Far more than any board has: the pages are not told of thousands of faulty ones."""
 OwnGainType = Literal["f32", "i32", "u32", "flag", "enum"]
 OwnTableState = Literal["none", "unknown", "reading", "known"]
 """none: the board does not describe itself; unknown: it does, and its table was not read yet."""
 RowFault = Literal[
-    "lost",  # the board did not send it
+    "lost",  # the board did not send it; this row and all after it
     "too_many",  # this row and all after it
-    "kind",  # no gain
+    "kind",  # one that is not known
+    "length",  # too short for its kind, or a length that cannot be: this row and all after it
     "type",
     "name",  # no name in snake_case
     "name_taken",  # by an earlier row, or by a built-in gain
     "group",
-    "text",  # unit or help that cannot be printed
+    "text",  # one that cannot be printed, or has no end
     "range",  # a minimum above the maximum, or no number
     "step",
     "default",  # outside of its range
     "choices",  # of an enum: fewer or more texts than its range has values, an empty one, or one twice
+    "topic",  # a field before any topic
+    "type_word",  # of a topic: not from 0x1000, or another topic's
+    "period",
+    "scale",  # zero, or of a number that has none
+    "fields",  # of a topic: none, or one that cannot be used
+    "size",  # of a topic: more than a frame holds
 ]
 
 
@@ -64,15 +72,16 @@ class LeftOutRow(Shape):
 
 @dataclass(frozen=True, slots=True)
 class OwnGainTable(Shape):
-    """The board's table. Until it is known `gains` are those of the board that was heard last, if any.
+    """The board's table. Until it is known `gains` and `topics` are those of the board that was heard last, if any.
 
-    `rows_read` of `row_count` have come while it is being read.
+    `blocks_read` of `block_count` have come while it is being read.
     """
 
     state: OwnTableState = "none"
-    rows_read: int = 0
-    row_count: int = 0
+    blocks_read: int = 0
+    block_count: int = 0
     gains: tuple[OwnGainDefinition, ...] = ()
+    topics: tuple[OwnTopicDefinition, ...] = ()
     left_out: tuple[LeftOutRow, ...] = ()
 
 

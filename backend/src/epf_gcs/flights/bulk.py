@@ -9,6 +9,7 @@ names their damage.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -55,10 +56,21 @@ class BulkDecoder:
     """Takes the line's bytes in stretches of any length, and keeps what the next stretch may complete."""
 
     def __init__(self, direction: Direction = FROM_BOARD) -> None:
-        self._messages = list(direction.messages.values())
+        self._built_in = list(direction.messages.values())
         self._type_bit = direction.type_bit
         self._header = int.from_bytes(direction.header, "little")
         self._letter = direction.header[_BYTE]
+        self._namer = FrameDecoder(direction)
+        self._left = np.empty(0, dtype=np.uint8)
+        self._left_ns = np.empty(0, dtype=np.int64)
+        # Offsets from the first byte of what is left: bytes that `_namer` was given, and that its events account for.
+        self._fed = 0
+        self._named = 0
+        self.learn(())
+
+    def learn(self, own: Iterable[Message]) -> None:
+        """From the next stretch on, frames of these messages are known beside the built-in ones, and no others."""
+        self._messages = [*self._built_in, *own]
         # By number of the type; one more for all types that are not known.
         largest = max(message.id for message in self._messages)
         self._kind = np.full(largest + 2, -1, dtype=np.int16)
@@ -68,12 +80,7 @@ class BulkDecoder:
             self._kind[message.id] = index
             self._size[index] = _START_SIZE + message.size + _TAIL_SIZE
         self._longest = int(self._size.max())
-        self._namer = FrameDecoder(direction)
-        self._left = np.empty(0, dtype=np.uint8)
-        self._left_ns = np.empty(0, dtype=np.int64)
-        # Offsets from the first byte of what is left: bytes that `_namer` was given, and that its events account for.
-        self._fed = 0
-        self._named = 0
+        self._namer.learn(self._messages[len(self._built_in) :])
 
     def feed(self, data: Bytes, ends: Places, t_ns: Places) -> StretchContents:
         """Take the next bytes of the line: `data` of shape (n,).

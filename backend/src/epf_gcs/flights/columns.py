@@ -17,18 +17,21 @@ from numpy.typing import NDArray
 
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
+from epf_gcs.contract.events import OwnGainsEvent, noted_event
+from epf_gcs.contract.own_topics import OWN_TYPE_WORDS, OwnTopicDefinition
 from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
-from epf_gcs.flights.convert import T_NS, log_rows, table
+from epf_gcs.flights.convert import T_NS, log_rows, schema, table
 from epf_gcs.flights.datagrams import Datagrams, without_no_value
 from epf_gcs.flights.keyframes import KeyFrames
 from epf_gcs.flights.rates import Rates
-from epf_gcs.flights.table_names import DAMAGE, KEYFRAMES, LINK, RAW_ROWS, SENT
 from epf_gcs.flights.tables import Tables
 from epf_gcs.recordings.log_table import unpacked
-from epf_gcs.recordings.notes import IDENTITY, LINE, Note
+from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, Note
 from epf_gcs.recordings.parts import Messages, Part
 from epf_gcs.recordings.reading import LIMITS, Limits, Reader
+from epf_gcs.recordings.table_names import DAMAGE, KEYFRAMES, LINK, RAW_ROWS, SENT
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, LOG_TABLE, SIMULATOR_RECEIVED
+from epf_gcs.vehicle.own_topics import known_topics, own_messages
 
 Say = Callable[[float, str], None]
 
@@ -128,9 +131,17 @@ class _Line:
         self.decoder = BulkDecoder(direction)
         self.name = "sent" if prefix else "received"
         self._prefix = prefix
+        self._own: dict[str, Message] = {}
 
     def topic(self, message: Message) -> str:
-        return self._prefix + message.name
+        """The name of its table: one of another form than an earlier one of its name has a number behind it."""
+        if message.id not in OWN_TYPE_WORDS:
+            return self._prefix + message.name
+        name, number = message.name, 1
+        while not schema(self._own.setdefault(name, message)).equals(schema(message)):
+            number += 1
+            name = f"{message.name}_{number}"
+        return name
 
 
 class TableMaker:
@@ -182,6 +193,11 @@ class TableMaker:
             self.counts.last_ns = max(int(t_ns.max()), self.counts.last_ns or 0)
         begin = 0
         for before, note in part.notes:
+            topics = _topics_in(note)
+            if topics is not None:
+                self._stretch(part.messages, begin, before)
+                begin = before
+                self._lines[BOARD_RECEIVED].decoder.learn(own_messages(topics))
             if note.name == LINE and isinstance(note.content, dict):
                 self._stretch(part.messages, begin, before)
                 begin = before
@@ -269,6 +285,15 @@ class TableMaker:
                 schema=_DAMAGE,
             )
         )
+
+
+def _topics_in(note: Note) -> tuple[OwnTopicDefinition, ...] | None:
+    """The board's own topics from this note on, None where it does not say anything of them."""
+    content = note.content
+    if note.name != EVENT or not isinstance(content, dict) or content.get("event") != OwnGainsEvent.NAME:
+        return None
+    event = noted_event(OwnGainsEvent.NAME, content["data"]) if isinstance(content.get("data"), dict) else None
+    return known_topics(event.table) if isinstance(event, OwnGainsEvent) and event.table is not None else None
 
 
 def _joined(messages: Messages) -> NDArray[np.uint8]:

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
 from epf_gcs.codec.tables import Message, Value
 from epf_gcs.codec.values import Step, steps
+from epf_gcs.contract.own_topics import OWN_TYPE_WORDS
 from epf_gcs.flights.bulk import Frames
-from epf_gcs.flights.table_names import is_reserved
 from epf_gcs.recordings.log_table import LogTable
+from epf_gcs.recordings.table_names import is_reserved
 
 _NUMPY: Final = {"f": "<f4", "d": "<f8", "i": "<i4", "I": "<u4", "h": "<i2", "H": "<u2", "b": "i1", "B": "u1"}
 _FORMAT: Final = re.compile(r"(\d*)([a-zA-Z])")
@@ -24,8 +25,9 @@ _ARROW: Final = {"number": pa.float64(), "integer": pa.int32(), "boolean": pa.bo
 
 DESCRIPTION: Final = b"description"
 """Key of a table's metadata that says what its readers have to know."""
-LOG: Final = b"log"
-"""Key in a table's metadata: the table is a topic of another program's log."""
+OWN: Final = b"own"
+"""Key in a table's metadata: its topic is no built-in one, but of another program's log, or one that the board
+described itself."""
 T_NS: Final = pa.field("t_ns", pa.int64(), nullable=False, metadata={"unit": "ns"})
 
 
@@ -41,7 +43,10 @@ def layout(message: Message) -> np.dtype[Any]:
     """The payload of a generated message as a numpy structure; the name of each field is its slot."""
     kinds: list[str] = []
     for count, letter in _FORMAT.findall(message.struct.format.lstrip("<")):
-        kinds += [f"S{count or 1}"] if letter == "s" else [_NUMPY[letter]] * int(count or 1)
+        if letter == "x":
+            kinds += [f"V{count}"] if int(count) else []
+        else:
+            kinds += [f"S{count or 1}"] if letter == "s" else [_NUMPY[letter]] * int(count or 1)
     made = np.dtype([(str(slot), kind) for slot, kind in enumerate(kinds)])
     if made.itemsize != message.size:
         raise ValueError(f"the layout of {message.name} is not the struct's")
@@ -52,7 +57,8 @@ def layout(message: Message) -> np.dtype[Any]:
 def schema(message: Message) -> pa.Schema:
     """`t_ns` and the definition's names with their units."""
     fields = [pa.field(value.name, _kind(message, value), metadata={"unit": value.unit}) for value in message.values]
-    return pa.schema([T_NS, *fields])
+    is_own = message.id in OWN_TYPE_WORDS
+    return pa.schema([T_NS, *fields], metadata={OWN: message.name} if is_own else None)
 
 
 def table(message: Message, frames: Frames) -> tuple[pa.Table, dict[str, int]]:
@@ -76,7 +82,7 @@ def log_rows(found: LogTable) -> pa.Table | None:
     values = [pa.array(one, from_pandas=True) for one in found.columns]
     if not is_reserved(found.topic):
         fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in found.units.items()]
-        kept = pa.schema([T_NS, *fields], metadata={LOG: found.topic})
+        kept = pa.schema([T_NS, *fields], metadata={OWN: found.topic})
         return pa.Table.from_arrays([pa.array(found.t_ns), *values], schema=kept)
     message = TELEMETRY_BY_NAME.get(found.topic)
     if message is None or list(found.units) != [value.name for value in message.values]:

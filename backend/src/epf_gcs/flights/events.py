@@ -18,9 +18,9 @@ from epf_gcs.flights.flight_data import Damage, FlightData, read_field
 from epf_gcs.flights.known_changes import limit_changes, surface_paths
 from epf_gcs.flights.rates import GAP_NS
 from epf_gcs.flights.resets import resets
-from epf_gcs.flights.table_names import EVENTS
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Content, Note
+from epf_gcs.recordings.table_names import EVENTS
 
 FILE: Final = f"{EVENTS}.parquet"
 

@@ -6,10 +6,11 @@ from functools import cache
 from pathlib import Path
 from typing import Final, Literal, NamedTuple
 
+import pyarrow as pa
 import pyarrow.parquet as pq
 
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME, XPLANE_ROWS
-from epf_gcs.flights.convert import LOG, T_NS
+from epf_gcs.flights.convert import OWN, T_NS
 from epf_gcs.xplane.mapping import INFO_SOURCES, in_our_unit
 
 Kind = Literal["number", "flag", "text"]
@@ -39,16 +40,22 @@ def fields_of(topic: str) -> dict[str, FieldMeaning]:
     return {value.name: FieldMeaning(value.unit, _kind(value.kind)) for value in message.values}
 
 
-def log_fields(table: Path) -> dict[str, FieldMeaning]:
-    """The fields of a topic that came in a log of another program, as its Parquet file has them; empty for a table that
-    is none. Raises OSError."""
-    if not table.exists():
+def fields_of_table(table: pa.Schema) -> dict[str, FieldMeaning]:
+    """The fields of a topic that is not built in, as its table has them; empty for a table that is none."""
+    if OWN not in (table.metadata or {}):
         return {}
-    schema = pq.read_schema(table)
-    if LOG not in (schema.metadata or {}):
-        return {}
-    named = [(one.name, (one.metadata or {}).get(b"unit", b"1").decode()) for one in schema if one.name != T_NS.name]
-    return {name: FieldMeaning(unit, "number") for name, unit in named}
+    return {
+        one.name: FieldMeaning(
+            (one.metadata or {}).get(b"unit", b"1").decode(), "flag" if pa.types.is_boolean(one.type) else "number"
+        )
+        for one in table
+        if one.name != T_NS.name
+    }
+
+
+def fields_of_file(table: Path) -> dict[str, FieldMeaning]:
+    """The same of a Parquet file; empty where there is none. Raises OSError."""
+    return fields_of_table(pq.read_schema(table)) if table.exists() else {}
 
 
 def _row_unit(unit: str) -> str:

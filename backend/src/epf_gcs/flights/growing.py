@@ -11,10 +11,10 @@ import pyarrow as pa
 
 from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.columns import TableMaker
-from epf_gcs.flights.fields import FieldMeaning, fields_of
+from epf_gcs.flights.fields import FieldMeaning, fields_of, fields_of_table
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
-from epf_gcs.flights.table_names import DAMAGE
 from epf_gcs.recordings.notes import Note
+from epf_gcs.recordings.table_names import DAMAGE
 
 
 class GrowingFlight:
@@ -58,7 +58,7 @@ class GrowingFlight:
 
     def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
         """The fields of a topic."""
-        return fields_of(topic)
+        return self._kept.fields(topic)
 
     def samples(self, topic: str, field: str) -> Samples:
         """All samples of one field so far. Raises NotFoundError."""
@@ -87,13 +87,18 @@ class _TableParts:
         if topic == DAMAGE:
             rows = zip(*(table.column(name).to_pylist() for name in ("t_ns", "direction", "kind")), strict=True)
             self.damage += [(t_ns, kind) for t_ns, direction, kind in rows if direction == "received"]
-        elif fields_of(topic) and table.num_rows:
+        elif table.num_rows and (topic in self._tables or fields_of(topic) or fields_of_table(table.schema)):
             self._tables.setdefault(topic, []).append(table)
             for name in table.column_names:
                 self._columns.pop((topic, name), None)
 
     def topics(self) -> list[str]:
         return list(self._tables)
+
+    def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
+        """Of a topic that is not built in, as its tables have them."""
+        tables = self._tables.get(topic)
+        return fields_of(topic) or ({} if tables is None else fields_of_table(tables[0].schema))
 
     def column(self, topic: str, name: str) -> Any:
         """Times as they are, values as numbers with NaN for none."""

@@ -13,11 +13,11 @@ from epf_gcs.flights.fingerprint import Fingerprint
 from epf_gcs.flights.indexed import Columns, IndexedFlight
 from epf_gcs.flights.room import minding_room
 from epf_gcs.flights.summary import summarise
-from epf_gcs.flights.table_names import DAMAGE
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.flight_summary import write_summary
 from epf_gcs.recordings.notes import REPAIRED, Note
 from epf_gcs.recordings.places import stamp_of
+from epf_gcs.recordings.table_names import DAMAGE
 
 _COLUMNS: Final = "columns"
 # The share of the columns in the time that the whole takes.

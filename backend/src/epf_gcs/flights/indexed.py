@@ -11,7 +11,7 @@ import duckdb
 import numpy as np
 
 from epf_gcs.errors import ConflictError
-from epf_gcs.flights.fields import FieldMeaning, fields_of, log_fields
+from epf_gcs.flights.fields import FieldMeaning, fields_of, fields_of_file
 from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.notes import Note
@@ -107,10 +107,10 @@ class IndexedFlight:
         return found
 
     def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
-        """The fields of a topic; of one of another program's log, as its table has them. Raises OSError."""
+        """The fields of a topic; of one that is not built in, as its table has them. Raises OSError."""
         found = self._fields.get(topic)
         if found is None:
-            found = self._fields[topic] = fields_of(topic) or log_fields(self._folder / f"{topic}.parquet")
+            found = self._fields[topic] = fields_of(topic) or fields_of_file(self._folder / f"{topic}.parquet")
         return found
 
     def samples(self, topic: str, field: str) -> Samples:

@@ -4,66 +4,110 @@ from __future__ import annotations
 
 import math
 import zlib
+from collections.abc import Iterable
 from typing import Final
 
+from epf_gcs.codec.description import BLOCK_SIZE, GainRow, Row, rows_of
 from epf_gcs.codec.encode import frame_bytes
-from epf_gcs.codec.frame import TO_BOARD, Frame
-from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY_BY_NAME
+from epf_gcs.codec.frame import TO_BOARD
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.values import meaning, single
+from epf_gcs.contract.own_gains import LeftOutRow
 from epf_gcs.lab.peer import Check, Lack, Peer, must_be
-from epf_gcs.vehicle.own_gains import SNAKE_CASE
+from epf_gcs.vehicle.own_gains import usable_rows
+from epf_gcs.vehicle.own_topics import own_messages, usable_topics
 
 _DONE, _BAD_VALUE = 0, 1
-_GAIN: Final = 1
+_AT_ONCE: Final = 8
 _ENUM: Final = 5
 _SETTING: Final = COMMANDS["own_gain_set"]
 
 
-def _row(peer: Peer, row: int) -> Frame:
-    peer.frames.clear()
-    must_be(peer.result("describe_item", row), _DONE, f"the result of describing row {row}")
-    return peer.awaited("description_row", f"in answer to describe_item {row}")
-
-
-def _count(peer: Peer) -> tuple[int, int]:
-    """Rows and the checksum over them."""
+def _summary(peer: Peer) -> tuple[int, int]:
+    """Size of the table and the checksum over it."""
     peer.frames.clear()
     peer.command("describe")
-    count, crc32 = peer.awaited("description", "in answer to describe").values
-    return int(count), int(crc32)
+    size, crc32 = peer.awaited("description", "in answer to describe").values
+    return int(size), int(crc32)
 
 
-def _text(raw: bytes) -> str:
-    return raw.split(b"\0", 1)[0].decode("ascii", "replace")
+def _blocks(peer: Peer, first: int, count: int) -> bytes:
+    must_be(peer.result("describe_blocks", first, count), _DONE, f"the result of describing {count} from block {first}")
+    peer.wait(
+        lambda: peer.count("description_block") >= count,
+        f"not all of {count} description_blocks came in answer to describe_blocks from {first}",
+    )
+    found = [frame for frame in peer.frames if frame.message.name == "description_block"]
+    must_be([frame.values[0] for frame in found], list(range(first, first + count)), "the numbers of the blocks")
+    return b"".join(frame.payload[-BLOCK_SIZE:] for frame in found)
+
+
+def _table(peer: Peer) -> tuple[bytes, bytes, int]:
+    """The table, what fills its last block, and its checksum as the board tells it."""
+    size, crc32 = _summary(peer)
+    count = -(-size // BLOCK_SIZE)
+    blocks = b"".join(_blocks(peer, first, min(_AT_ONCE, count - first)) for first in range(0, count, _AT_ONCE))
+    return blocks[:size], blocks[size:], crc32
+
+
+def _rows(peer: Peer) -> list[Row]:
+    return rows_of(_table(peer)[0])
 
 
 def _describes(peer: Peer) -> None:
-    count, wanted = _count(peer)
-    crc32, names = 0, set()
-    for row in range(count):
-        values = _row(peer, row).values
-        number, kind, _, _, minimum, maximum, step, default, name, *_ = values
-        crc32 = zlib.crc32(TELEMETRY_BY_NAME["description_row"].struct.pack(*values), crc32)
-        must_be(number, row, f"the number in row {row}")
-        must_be(kind, _GAIN, f"the kind of row {row}: only gains are in use")
-        if not SNAKE_CASE.fullmatch(_text(name)) or name in names:
-            raise Lack(f"row {row} is called {_text(name)!r}: a name is in snake_case and there is one of it")
-        if not (minimum <= default <= maximum and 0.0 < step < math.inf):
-            raise Lack(f"{_text(name)}: range {minimum:g}..{maximum:g}, step {step:g} and default {default:g} disagree")
-        names.add(name)
-    must_be(crc32, wanted, "the CRC-32 in the description: that of the rows as they were told")
-    must_be(peer.result("describe_item", count), _BAD_VALUE, "the result of describing a row that is not there")
+    table, filling, wanted = _table(peer)
+    must_be(zlib.crc32(table), wanted, "the CRC-32 in the description: that of the table as it was told")
+    must_be(any(filling), False, "whether anything but zeros is behind the table's end")
+    _must_be_usable(usable_rows(rows_of(table))[1])
+    behind = -(-len(table) // BLOCK_SIZE)
+    must_be(peer.result("describe_blocks", behind, 1), _BAD_VALUE, "the result of describing a block that is not there")
+
+
+def _describes_topics(peer: Peer) -> None:
+    _must_be_usable(usable_topics(_rows(peer))[1])
+
+
+def _must_be_usable(left_out: Iterable[LeftOutRow]) -> None:
+    # A topic that lacks a field is told by what is wrong with the field.
+    for one in sorted(left_out, key=lambda one: one.reason == "fields"):
+        name = "" if one.name is None else f" ({one.name})"
+        raise Lack(f"row {one.row}{name} of the description cannot be used: {one.reason.replace('_', ' ')}")
+
+
+def _sends_topics(peer: Peer) -> None:
+    definitions = usable_topics(_rows(peer))[0]
+    topics = own_messages(definitions)
+    peer.know(topics)
+    must_be(_switch(peer, 2), _BAD_VALUE, "the result of own_topics with 2")
+    must_be(_switch(peer, 1), _DONE, "the result of own_topics with 1")
+    for topic in topics:
+        peer.wait(
+            lambda name=topic.name: peer.count(name) > 0,  # type: ignore[misc]
+            f"no frame of {topic.name} (type {topic.id:#x}) of the length of its fields came after own_topics 1",
+        )
+        frame = next(frame for frame in peer.frames if frame.message is topic)
+        must_be(meaning(frame).implausible, (), f"the fields of {topic.name} with a value that cannot be")
+    must_be(_switch(peer, 0), _DONE, "the result of own_topics with 0")
+    peer.frames.clear()
+    peer.look(2.0 * max((topic.period_ms for topic in definitions), default=0) / 1000.0)
+    for topic in topics:
+        must_be(peer.count(topic.name), 0, f"frames of {topic.name} after own_topics 0")
+
+
+def _switch(peer: Peer, on: int) -> int:
+    command = COMMANDS["own_topics"]
+    return peer.result_of(command.id, frame_bytes(TO_BOARD, command, command.struct.pack(on)))
 
 
 def _reads_back(peer: Peer) -> None:
-    for row in range(_count(peer)[0]):
-        values = _row(peer, row).values
-        kind, minimum, maximum = values[2], values[4], values[5]
+    for gain in (row for row in _rows(peer) if isinstance(row, GainRow)):
+        row, minimum, maximum = gain.row, single(gain.minimum), single(gain.maximum)
         before = _told(peer, row)
         if not minimum <= before <= maximum:
             raise Lack(f"row {row} has the value {before:g}, which is not in {minimum:g}..{maximum:g}")
         must_be(_set(peer, row, maximum), _DONE, f"the result of setting row {row} to its largest value")
         must_be(_told(peer, row), maximum, f"the value of row {row} after it was set")
-        refused = (math.nan, math.inf, maximum + max(1.0, abs(maximum)), *((0.5,) if kind == _ENUM else ()))
+        refused = (math.nan, math.inf, maximum + max(1.0, abs(maximum)), *((0.5,) if gain.type == _ENUM else ()))
         for value in refused:
             must_be(_set(peer, row, value), _BAD_VALUE, f"the result of setting row {row} to {value:g}")
             must_be(peer.awaited("own_gain", "after a refused value").values[1], maximum, f"row {row} once refused")
@@ -86,7 +130,9 @@ def _told(peer: Peer, row: int) -> float:
 
 
 DESCRIBED: Final[tuple[tuple[str, Check], ...]] = (
-    ("the board describes itself, with the checksum of its rows", _describes),
+    ("the board describes itself, with the checksum of its table", _describes),
     ("its own gains are set and read back, or refused", _reads_back),
+    ("its own topics are described with their fields", _describes_topics),
+    ("its own topics come when they are switched on, and end", _sends_topics),
 )
 """Names, and what raises Lack where a board that says it describes itself does not do so."""

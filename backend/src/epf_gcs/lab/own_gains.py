@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
+from epf_gcs.codec.description import BLOCK_SIZE, GainRow, rows_of
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.codec.frame import Frame, FrameDecoder
-from epf_gcs.codec.values import Json, meaning, single
+from epf_gcs.codec.values import single
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.laws import LAWS
 
 _LAW: Final = "guidance_law"
+_AT_ONCE: Final = 8
 
 
 class OwnGains:
@@ -19,7 +21,7 @@ class OwnGains:
 
     def __init__(self, feed: Callable[[bytes], bytes]) -> None:
         self._feed = feed
-        self._rows: dict[Json, int] = {}
+        self._rows: dict[str, int] = {}
 
     def select(self, law: str) -> None:
         """Let the board fly plans by one of `LAWS`. Raises LabError if it has not this one."""
@@ -39,20 +41,24 @@ class OwnGains:
         if told != (row, single(value)):
             raise LabError(f"the board takes no gain {name} of {value}")
 
-    def _described(self) -> dict[Json, int]:
+    def _described(self) -> dict[str, int]:
         """Row by name; empty where the board does not describe itself."""
-        count = next(iter(self._ask("describe", "description")), 0)
-        rows = (self._answer("describe_item", "description_row", row) for row in range(int(count)))
-        return {meaning(frame).values["name"]: int(frame.values[0]) for frame in rows if frame is not None}
+        size = int(next(iter(self._ask("describe", "description")), 0))
+        count = -(-size // BLOCK_SIZE)
+        blocks: dict[int, bytes] = {}
+        for first in range(0, count, _AT_ONCE):
+            for frame in self._answers("describe_blocks", "description_block", first, min(_AT_ONCE, count - first)):
+                blocks[frame.values[0]] = frame.payload[-BLOCK_SIZE:]
+        table = b"".join(blocks.get(number, b"") for number in range(count))[:size]
+        return {row.name: row.row for row in rows_of(table) if isinstance(row, GainRow)}
 
     def _ask(self, command: str, answer: str, *values: float) -> tuple[float, ...]:
-        frame = self._answer(command, answer, *values)
-        return () if frame is None else tuple(frame.values)
+        return next((tuple(frame.values) for frame in self._answers(command, answer, *values)), ())
 
-    def _answer(self, command: str, answer: str, *values: float) -> Frame | None:
+    def _answers(self, command: str, answer: str, *values: float) -> list[Frame]:
         try:
             said = self._feed(encode_command(command, *values))
         except ValueError:
-            return None
+            return []
         frames = (found for found in FrameDecoder().feed(said) if isinstance(found, Frame))
-        return next((frame for frame in frames if frame.message.name == answer), None)
+        return [frame for frame in frames if frame.message.name == answer]

@@ -22,9 +22,11 @@ from epf_gcs.replay.clock import RecordedClock
 from epf_gcs.replay.judged import JudgedAlarms
 from epf_gcs.replay.known import LineNote, RecordedState
 from epf_gcs.replay.playhead_state import PlayheadState
+from epf_gcs.replay.recorded_line import RecordedLine
 from epf_gcs.replay.timeline import Cursor, Item, Timeline
 from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
+from epf_gcs.vehicle.own_topics import own_messages
 from epf_gcs.vehicle.rates import ByteRate
 from epf_gcs.vehicle.simulator_samples import Reading
 from epf_gcs.vehicle.vehicle import Vehicle
@@ -37,22 +39,6 @@ _COMMAND_50: Final = COMMANDS["xplane_info"]
 # The stick's four values come first in command 50.
 _STICK_BYTES: Final = 16
 _DEFAULT_BAUD: Final = 115_200
-
-
-class RecordedLine:
-    """Implements `epf_gcs.vehicle.outside.Line`: what a vehicle would send was sent long ago."""
-
-    def __init__(self, baud: int) -> None:
-        self.baud = baud
-
-    @property
-    def backlog(self) -> int:
-        """Nothing waits."""
-        return 0
-
-    def write(self, data: bytes) -> bool:
-        """Send nothing."""
-        return True
 
 
 class Playhead:
@@ -181,6 +167,11 @@ class Playhead:
             line = RecordedLine(_DEFAULT_BAUD if board.baud is None else board.baud)
             self.vehicle.board.attach(line, is_emulated=board.emulated, target=board.url or "")
             self._attached_s = self.clock.now_s()
+            self._learn()
+
+    def _learn(self) -> None:
+        """The frames of the board's own topics are read as the table says that was known then."""
+        self.vehicle.board.learn(own_messages(self.known.now.own_topics))
 
     def _restore(self, kept: PlayheadState) -> None:
         self.clock.t_ns, self._tick_ns, self._heard_ns = kept.t_ns, kept.tick_ns, kept.heard_ns
@@ -250,6 +241,7 @@ class Playhead:
     def _take_note(self, note: Note) -> None:
         board, simulator = self.known.now.lines["board"], self.known.now.lines["simulator"]
         rate_command = self.known.take(note)
+        self._learn()
         if rate_command is not None:
             self.vehicle.telemetry.rate_changed(rate_command)
             self.vehicle.board.frame_statistics.rate_changed(rate_command)

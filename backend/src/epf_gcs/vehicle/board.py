@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
-from typing import Final, Protocol
+from typing import Final
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
+from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Json, Meaning
 from epf_gcs.contract.events import ConsoleEvent
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.vehicle.board_state import BoardState
+from epf_gcs.vehicle.exclusive_user import ExclusiveUser
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
 from epf_gcs.vehicle.outside import Clock, Line, Outlet
 from epf_gcs.vehicle.restart import BoardRestart, Restart
@@ -27,16 +29,6 @@ _RUBBISH: Final = 20
 _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
 
 Listener = Callable[[Frame, Meaning], None]
-
-
-class ExclusiveUser(Protocol):
-    """The exclusive user of the line for a while, with a stream that does not consist of frames (the AHRS test)."""
-
-    def on_bytes(self, data: bytes) -> None:
-        """Bytes of the line."""
-
-    def on_line_released(self) -> bytes:
-        """End the exclusive use; returns the bytes that bring the board back to text mode."""
 
 
 class Board:
@@ -127,7 +119,7 @@ class Board:
         if is_emulated:
             self._statistics.clear()
         self.baud = link.baud
-        self._decoder = FrameDecoder()
+        self._begin_decoding()
         self._was_open = False
         self._damage_before = Counter(self.damage)
         self._restart.link_opened(target)
@@ -145,6 +137,15 @@ class Board:
             self.frame_statistics.clear()
             self._telemetry.blank()
 
+    def _begin_decoding(self) -> None:
+        self._decoder = FrameDecoder()
+        self.learn(())
+
+    def learn(self, own: tuple[Message, ...]) -> None:
+        """From now on the board's own topics are these: what it described, until it may be another board."""
+        self._decoder.learn(own)
+        self.frame_statistics.learn(own)
+
     def say_goodbye(self) -> None:
         """Stop the board's streams and put it into text mode, if the link is still open."""
         farewell = self._end_exclusive_use() + self.session.close()
@@ -156,7 +157,7 @@ class Board:
         self.write(self.session.close())
         self._restart.link_opened("")
         self._take(self._decoder.finish())
-        self._decoder = FrameDecoder()
+        self._begin_decoding()
         self._was_open = False
         self.exclusive_user = user
 
@@ -183,10 +184,9 @@ class Board:
 
     def write(self, data: bytes) -> bool:
         """Send bytes as they are. False if there is no link or its queue is full."""
-        if self._link is None or not self._link.write(data):
-            return False
-        self.bytes_out += len(data)
-        return True
+        is_taken = self._link is not None and self._link.write(data)
+        self.bytes_out += len(data) if is_taken else 0
+        return is_taken
 
     def listen(self, message: str, listener: Listener) -> None:
         """Call `listener` for every good frame of this message from now on."""

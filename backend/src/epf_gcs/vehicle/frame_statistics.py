@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from typing import Any, Final
 
 from epf_gcs.codec.checksum import checksum
 from epf_gcs.codec.frame import Damage
 from epf_gcs.codec.messages_gen import END, FORBIDDEN_TYPE_BITS, TELEMETRY, TO_PC_TYPE_BIT
+from epf_gcs.codec.tables import Message
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.health import TASK_OF_TOPIC
 
@@ -17,7 +19,7 @@ _MOST_UNKNOWN: Final = 32
 
 
 class FrameStatistics:
-    """`heard` and `damaged` are by name of the message, `unknown` and `unknown_damaged` by number of the type.
+    """`heard` and `damaged` are by name of the message, the others by number of the type; `own` are the board's.
 
     A failed candidate's event holds its header only, so the type is read from the `remains` that follow it.
     """
@@ -27,7 +29,14 @@ class FrameStatistics:
         self.damaged: Counter[str] = Counter()
         self.unknown: dict[int, Arrivals] = {}
         self.unknown_damaged: Counter[int] = Counter()
+        self.own: dict[int, Message] = {}
         self._after_failure = False
+
+    def learn(self, own: Iterable[Message]) -> None:
+        """From now on the board's own messages are these; an earlier one's counts stay under its name."""
+        self.own = {message.id: message for message in own}
+        for message in self.own.values():
+            self.heard.setdefault(message.name, Arrivals())
 
     def clear(self) -> None:
         """Discard all counts, when switching to or from emulation: examples must not mix with a board's frames."""
@@ -73,7 +82,7 @@ class FrameStatistics:
     def _count_failed(self, remains: bytes, t_s: float) -> None:
         word = int.from_bytes(remains[:_WORD], "little")
         type_id = word & ~TO_PC_TYPE_BIT
-        known = TELEMETRY.get(type_id)
+        known = TELEMETRY.get(type_id) or self.own.get(type_id)
         if known is not None and word & TO_PC_TYPE_BIT:
             self.damaged[known.name] += 1
         elif word & TO_PC_TYPE_BIT and not word & FORBIDDEN_TYPE_BITS:

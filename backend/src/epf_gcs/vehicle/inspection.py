@@ -7,7 +7,7 @@ calculate and may run in a thread.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import TELEMETRY, XPLANE_ROWS
@@ -33,10 +33,11 @@ class CountedFrame:
     damaged: int
     stale_after_s: float | None
     arrivals: Arrivals
+    units: Mapping[str, str] = field(default_factory=dict)
 
 
 def copy_frames(statistics: FrameStatistics, telemetry: Telemetry) -> list[CountedFrame]:
-    """All types that the definition has, heard or not, then those that were heard and are not in it."""
+    """All types that the definition and the board itself have, heard or not, then those that were heard beside them."""
     known = [
         CountedFrame(
             type_id,
@@ -44,8 +45,9 @@ def copy_frames(statistics: FrameStatistics, telemetry: Telemetry) -> list[Count
             statistics.damaged[message.name],
             telemetry.stale_after_s(message.name) if message.topic else None,
             statistics.heard[message.name].copy(),
+            {value.name: value.unit for value in message.values},
         )
-        for type_id, message in TELEMETRY.items()
+        for type_id, message in (*TELEMETRY.items(), *sorted(statistics.own.items()))
     ]
     unknown = [
         CountedFrame(type_id, f"unknown_0x{type_id:x}", statistics.unknown_damaged[type_id], None, arrivals.copy())
@@ -63,6 +65,7 @@ def inspect_frames(frames: Iterable[CountedFrame], now_s: float) -> list[Inspect
             damaged=frame.damaged,
             stale_after_s=frame.stale_after_s,
             values=frame.arrivals.values,
+            units=frame.units,
             **_measured(frame.arrivals, now_s, has_period=frame.name not in _ANSWERS),
         )
         for frame in frames

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Container, Iterable, Sequence
-from typing import Final, cast
+from collections.abc import Container, Iterable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Final
 
-from epf_gcs.codec.frame import Frame
-from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
-from epf_gcs.codec.values import Json, meaning, shortest, single
+from epf_gcs.codec.description import GainRow, Row, UnreadableRow
+from epf_gcs.codec.values import Json, shortest, single
 from epf_gcs.contract.own_gains import (
+    MOST_ROWS,
     LeftOutRow,
     OwnGainDefinition,
     OwnGainState,
@@ -19,13 +21,9 @@ from epf_gcs.contract.own_gains import (
 from epf_gcs.vehicle import limits
 from epf_gcs.vehicle.parameters import BY_NAME, state_after_read
 
-_ROW: Final = TELEMETRY_BY_NAME["description_row"]
 SNAKE_CASE: Final = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
-_KIND_GAIN: Final = 1
-_TYPES: Final = cast(
-    dict[int, OwnGainType],
-    {number: name for value in _ROW.values if value.name == "type" for name, number in value.names.items()},
-)
+_LONGEST_NAME: Final = 32
+_TYPES: Final[Mapping[int, OwnGainType]] = MappingProxyType({1: "f32", 2: "i32", 3: "u32", 4: "flag", 5: "enum"})
 
 
 class _FaultyRowError(ValueError):
@@ -34,21 +32,31 @@ class _FaultyRowError(ValueError):
         self.reason = reason
 
 
-def usable_rows(rows: Sequence[bytes | None]) -> tuple[tuple[OwnGainDefinition, ...], tuple[LeftOutRow, ...]]:
-    """The gains out of the payloads of all rows (None: lost), and the rows that cannot be used."""
+def usable_rows(
+    rows: Sequence[Row], *, is_whole: bool = True
+) -> tuple[tuple[OwnGainDefinition, ...], tuple[LeftOutRow, ...]]:
+    """The gains among a table's rows, and the rows that cannot be used; topics and their fields are neither.
+
+    Of a table that is not `is_whole`, the row in which it ends and all after it are lost.
+    """
     gains: dict[str, OwnGainDefinition] = {}
     left_out: list[LeftOutRow] = []
-    for number, payload in enumerate(rows):
-        values = {} if payload is None else meaning(Frame(_ROW, payload)).values
-        try:
-            if payload is None:
-                raise _FaultyRowError("lost")
-            gain = _gain(number, values, taken=gains)
-        except _FaultyRowError as fault:
-            name = values.get("name")
-            left_out.append(LeftOutRow(number, name if isinstance(name, str) and name else None, fault.reason))
-        else:
-            gains[gain.name] = gain
+    for row in rows[:MOST_ROWS]:
+        if isinstance(row, UnreadableRow):
+            left_out.append(LeftOutRow(row.row, row.name, row.reason))
+        elif isinstance(row, GainRow):
+            try:
+                gain = _gain(row, taken=gains)
+            except _FaultyRowError as fault:
+                left_out.append(LeftOutRow(row.row, row.name or None, fault.reason))
+            else:
+                gains[gain.name] = gain
+    if not is_whole:
+        is_cut = bool(rows) and isinstance(rows[-1], UnreadableRow) and rows[-1].reason == "length"
+        lost = len(rows) - is_cut
+        left_out = [one for one in left_out if one.row < lost] + [LeftOutRow(lost, None, "lost")]
+    if len(rows) > MOST_ROWS:
+        left_out.append(LeftOutRow(MOST_ROWS, None, "too_many"))
     return tuple(gains.values()), tuple(left_out)
 
 
@@ -75,28 +83,27 @@ def unknown_values(gains: Iterable[OwnGainDefinition]) -> dict[str, OwnGainState
     return {gain.name: OwnGainState() for gain in gains}
 
 
-def _gain(number: int, values: dict[str, Json], *, taken: Container[str]) -> OwnGainDefinition:
-    if values["kind"] != _KIND_GAIN:
-        raise _FaultyRowError("kind")
-    kind = values["type"]
-    if not isinstance(kind, int) or kind not in _TYPES:
+def _gain(row: GainRow, *, taken: Container[str]) -> OwnGainDefinition:
+    if row.type not in _TYPES:
         raise _FaultyRowError("type")
-    name = _in_snake_case(values["name"], "name")
+    name = _in_snake_case(row.name, "name")
+    if len(name) > _LONGEST_NAME:
+        raise _FaultyRowError("name")
     if name in taken or name in BY_NAME:
         raise _FaultyRowError("name_taken")
     gain = OwnGainDefinition(
-        row=number,
+        row=row.row,
         name=name,
-        group=_in_snake_case(values["group"], "group"),
-        type=_TYPES[kind],
-        unit=_text(values["unit"]),
-        minimum=_number(values["minimum"], "range"),
-        maximum=_number(values["maximum"], "range"),
-        step=_number(values["step"], "step"),
-        default=_number(values["default_value"], "default"),
-        choices=_choices(_text(values["choices"])),
-        needs_restart=values["needs_restart"] == 1,
-        doc=_text(values["help"]),
+        group=_in_snake_case(row.group, "group"),
+        type=_TYPES[row.type],
+        unit=row.unit,
+        minimum=_number(row.minimum, "range"),
+        maximum=_number(row.maximum, "range"),
+        step=_number(row.step, "step"),
+        default=_number(row.default, "default"),
+        choices=_choices(row.choices),
+        needs_restart=row.needs_restart,
+        doc=row.help,
     )
     fault = _range_fault(gain)
     if fault is not None:
@@ -116,21 +123,15 @@ def _range_fault(gain: OwnGainDefinition) -> RowFault | None:
     return None if value_fault(gain, gain.default) is None else "default"
 
 
-def _in_snake_case(value: Json, reason: RowFault) -> str:
-    if not isinstance(value, str) or SNAKE_CASE.fullmatch(value) is None:
+def _in_snake_case(text: str, reason: RowFault) -> str:
+    if SNAKE_CASE.fullmatch(text) is None:
         raise _FaultyRowError(reason)
-    return value
+    return text
 
 
-def _number(value: Json, reason: RowFault) -> float:
-    if not isinstance(value, int | float):
+def _number(value: float, reason: RowFault) -> float:
+    if not math.isfinite(value):
         raise _FaultyRowError(reason)
-    return shortest(float(value))
-
-
-def _text(value: Json) -> str:
-    if not isinstance(value, str):
-        raise _FaultyRowError("text")
     return value
 
 

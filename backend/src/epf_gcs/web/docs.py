@@ -75,8 +75,9 @@ second before the `hello`. `{"type": "ask", "about": "inspector"}` is answered w
 in the simulator has `begun` or `ended`), `flight` (the flight process: `state` is `lost` or `back`), `job` (as `GET
 /jobs/{id}`, at most four a second), `journal` (a new entry, and what undo and redo would write now), `link`,
 `map_field` (as one of `GET /map/fields`, at most four a second), `map_import` (as `GET /map/imports/{id}`, at most
-four a second), `mission`, `own_gains` (the table in which the board describes gains of its own, null where it is as
-before, and the values that changed), `parameter` (the gains that changed, each with value, state and loaded value),
+four a second), `mission`, `own_gains` (the table in which the board describes gains and topics of its own, null where
+it is as before, and the gains' values that changed; samples of such topics are sent like others), `parameter` (the
+gains that changed, each with value, state and loaded value),
 `recording`, `stick` (where the stick comes from, whether it is `live` or `lost`, and the `reason`: `chosen`,
 `control_lost`, `lost`, `back`), `track` and `wind` (the embedded simulator's).
 """

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.contract.own_gains import LeftOutRow
+from epf_gcs.codec.description import FieldRow, TopicRow, blocks_of
+from epf_gcs.contract.own_gains import LeftOutRow, OwnGainTable
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, LinkError
-from epf_gcs.flight.board import answers
+from epf_gcs.flight.board import answers, own_table
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from tests.support.fake_board import FakeBoard, law_row, own_row
@@ -20,6 +21,7 @@ from tests.support.waiting import eventually_async
 pytestmark = pytest.mark.anyio
 
 ROWS = (law_row(0), own_row(1), own_row(2, "line_approach", unit="s"))
+LONG = tuple(own_row(row, f"line_k_{row}") for row in range(27))
 
 
 @pytest.fixture(autouse=True)
@@ -42,6 +44,12 @@ async def is_read(station: Flight) -> None:
     await eventually_async(
         lambda: own.known.table.state == "known" and not own._reading.locked(), "its own gains are read"
     )
+
+
+def questions(board: FakeBoard) -> list[tuple[float, ...]]:
+    """First block and how many, of each question."""
+    asked = zip(board.received, board.arguments, strict=True)
+    return [arguments for name, arguments in asked if name == "describe_blocks"]
 
 
 def values(station: Flight) -> dict[str, float | None]:
@@ -72,32 +80,102 @@ async def test_a_known_checksum_costs_one_question_also_after_a_start_of_the_sta
     tmp_path: Path, board: FakeBoard
 ) -> None:
     async with a_station(tmp_path, board):
-        assert board.count("describe_item") == len(ROWS)
+        assert board.count("describe_blocks") == 1
     async with a_station(tmp_path, board) as station:
-        assert (board.count("describe"), board.count("describe_item")) == (2, len(ROWS))
+        assert (board.count("describe"), board.count("describe_blocks")) == (2, 1)
         assert values(station)["line_k_bank"] == 3.0
 
 
-async def test_lost_rows_and_values_are_asked_again(
+async def test_blocks_are_asked_for_eight_at_a_time_and_the_last_ones_without_what_is_behind_the_end(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    board.describe(*LONG)
+    count = len(blocks_of(board.table))
+    assert count == 18
+    async with a_station(tmp_path, board) as station:
+        assert questions(board) == [(0, 8), (8, 8), (16, 2)]
+        assert len(station.parameters.own.known.table.gains) == len(LONG)
+
+
+async def test_lost_blocks_are_asked_for_again_without_those_that_came(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(own_table, "_SILENCE_S", 0.05)
+    board.describe(*LONG)
+    board.lose_block.update({1: 1, 7: 2, 8: 1, 17: 1})
+    async with a_station(tmp_path, board) as station:
+        assert station.parameters.own.known.table.left_out == ()
+        assert len(station.parameters.own.known.table.gains) == len(LONG)
+        assert questions(board) == [(0, 8), (8, 8), (16, 2), (1, 1), (7, 2), (17, 1), (7, 1)]
+
+
+async def test_a_lost_acknowledgement_or_value_costs_no_gain(
     tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(answers, "_ANSWER_S", 0.05)
     board.lose_row[1] = 2
+    board.lose_acknowledgement["describe_blocks"] = 1
     async with a_station(tmp_path, board) as station:
         assert (station.parameters.own.known.table.left_out, values(station)["line_k_bank"]) == ((), 3.0)
-        assert board.count("describe_item") == len(ROWS) + 2
+        assert questions(board) == [(0, 2)]
 
 
-async def test_a_row_that_never_comes_is_left_out_and_asked_for_at_the_next_opening(
+async def test_the_progress_is_told_in_blocks(tmp_path: Path, board: FakeBoard) -> None:
+    board.describe(*LONG)
+    station = Flight(tmp_path / "data", record=False)
+    told: list[tuple[int, int]] = []
+    async with station.running():
+        tell = station.parameters.own._tell_table
+
+        def listen(table: OwnGainTable) -> None:
+            if table.state == "reading":
+                told.append((table.blocks_read, table.block_count))
+            tell(table)
+
+        station.parameters.own._tell_table = listen  # type: ignore[method-assign]
+        await station.lines.open_board(parse_address(board.url))
+        await is_read(station)
+    assert told == [(0, 18), (8, 18), (16, 18), (18, 18)]
+
+
+async def test_a_block_that_never_comes_loses_what_follows_it_until_the_next_opening(
     tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(answers, "_ANSWER_S", 0.05)
-    board.lose_row[1] = 3
+    monkeypatch.setattr(own_table, "_SILENCE_S", 0.05)
+    board.lose_block[1] = 4
     async with a_station(tmp_path, board) as station:
         assert station.parameters.own.known.table.left_out == (LeftOutRow(1, None, "lost"),)
-        assert values(station) == {"guidance_law": 0.0, "line_approach": 3.0}
+        assert values(station) == {"guidance_law": 0.0}
+        assert not (tmp_path / "data" / "own-gains.json").exists()
     async with a_station(tmp_path, board) as station:
         assert values(station)["line_k_bank"] == 3.0
+
+
+async def test_a_board_that_sends_no_block_is_soon_asked_no_more(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(own_table, "_SILENCE_S", 0.05)
+    board.describe(*LONG)
+    board.lose_block.update(dict.fromkeys(range(18), 99))
+    async with a_station(tmp_path, board) as station:
+        assert station.parameters.own.known.table.left_out == (LeftOutRow(0, None, "lost"),)
+        assert questions(board) == [(0, 8), (8, 8), (16, 2), (0, 8)]
+
+
+async def test_a_table_of_nothing_is_a_table(tmp_path: Path, board: FakeBoard) -> None:
+    board.describe()
+    async with a_station(tmp_path, board) as station:
+        assert (values(station), station.parameters.own.known.table.left_out) == ({}, ())
+
+
+async def test_topics_in_the_table_are_no_gains_and_count_as_rows(tmp_path: Path, board: FakeBoard) -> None:
+    topic = TopicRow(0, 0x1000, 500, "wind", "")
+    board.describe(topic, FieldRow(1, 1, 1.0, 0.0, 360.0, "wind_from", "deg", "", ""), own_row(2))
+    async with a_station(tmp_path, board) as station:
+        assert values(station) == {"line_k_bank": 3.0}
+        assert station.parameters.own.known.table.left_out == ()
+        await station.parameters.set({"line_k_bank": 4.0}, None)
+        assert board.own_gains == {2: 4.0}
 
 
 async def test_a_table_whose_checksum_does_not_hold_is_used_and_not_kept(tmp_path: Path, board: FakeBoard) -> None:
@@ -107,9 +185,12 @@ async def test_a_table_whose_checksum_does_not_hold_is_used_and_not_kept(tmp_pat
         assert not (tmp_path / "data" / "own-gains.json").exists()
 
 
-async def test_a_damaged_kept_table_is_set_aside_and_read_anew(tmp_path: Path, board: FakeBoard) -> None:
+@pytest.mark.parametrize("text", ['{"rows": ["00"]}', '{"table": "0"}', '{"table": 7}', "[]", ""])
+async def test_a_damaged_or_older_kept_table_is_set_aside_and_read_anew(
+    tmp_path: Path, board: FakeBoard, text: str
+) -> None:
     (tmp_path / "data").mkdir()
-    (tmp_path / "data" / "own-gains.json").write_text('{"rows": ["00"]}')
+    (tmp_path / "data" / "own-gains.json").write_text(text)
     async with a_station(tmp_path, board) as station:
         assert values(station)["line_k_bank"] == 3.0
         assert len(list((tmp_path / "data").glob("own-gains.json.damaged-*"))) == 1

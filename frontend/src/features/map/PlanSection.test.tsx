@@ -222,7 +222,13 @@ test("the turns of the line law are said where it is known to fly, and not of an
   } as const;
   const bank = { ...gain, row: 1, name: "line_bank_limit", type: "f32", choices: [], maximum: 60 } as const;
   const held = (value: number) => ({ value, loaded: value, state: "loaded" as const, heard_s: 1 });
-  const table = { state: "known", rows_read: 2, row_count: 2, gains: [gain, bank], left_out: [] } as const;
+  const table = {
+    state: "known",
+    blocks_read: 2,
+    block_count: 2,
+    gains: [gain, bank],
+    left_out: [],
+  } as const;
   const say = /La ley de línea vira con 40° de alabeo/;
   const tell = (data: unknown): void => station.deliver({ type: "event", event: "own_gains", t_s: 1, data });
   tell({ table, values: { guidance_law: held(0), line_bank_limit: held(40) } });

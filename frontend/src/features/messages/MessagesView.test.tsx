@@ -21,6 +21,7 @@ const inspection: Inspection = {
       age_s: 0.05,
       stale_after_s: 0.3,
       values: { yaw_deg: 359.9996, pitch_deg: null, roll_deg: -1234.5 },
+      units: { yaw_deg: "deg", pitch_deg: "deg", roll_deg: "deg" },
     },
     {
       id: 0x104,
@@ -32,6 +33,7 @@ const inspection: Inspection = {
       age_s: null,
       stale_after_s: null,
       values: null,
+      units: {},
     },
   ],
   rows: [

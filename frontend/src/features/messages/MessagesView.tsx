@@ -10,7 +10,7 @@ import { Panel } from "../../ui/Panel";
 import { Tabs } from "../../ui/Tabs";
 import { AdviceList } from "./AdviceList";
 import { LinkPage } from "./LinkPage";
-import { frameLine, rowLine } from "./lines";
+import { frameLine, ownUnits, rowLine } from "./lines";
 import { MessageTable } from "./MessageTable";
 import "./messages.css";
 import { type PlotKeyText, parsePlotted, signalOf, toggled } from "./plotted";
@@ -26,7 +26,7 @@ export function MessagesView() {
   return (
     <div className="messages" data-plotted={plotted.length > 0}>
       <Findings found={found} plotted={plotted} onToggle={toggle} />
-      <PlotPanel plotted={plotted} />
+      <PlotPanel plotted={plotted} found={found} />
     </div>
   );
 }
@@ -118,10 +118,16 @@ function Inspected({ inspection, ...toggling }: Toggle & { inspection: Inspectio
   );
 }
 
-function PlotPanel({ plotted }: { plotted: readonly PlotKeyText[] }) {
+interface PlotPanelProps {
+  plotted: readonly PlotKeyText[];
+  found: Inspection | Message | null;
+}
+
+function PlotPanel({ plotted, found }: PlotPanelProps) {
   const { t } = useTranslation();
+  const units = ownUnits(found === null || "key" in found ? [] : found.board);
   const profile = useConnection(({ status }) => status?.simulator.profile ?? "xp10");
-  const signals = plotted.map((key) => signalOf(key, profile)).filter((signal) => signal !== null);
+  const signals = plotted.map((key) => signalOf(key, profile, units)).filter((signal) => signal !== null);
   return signals.length === 0 ? null : (
     <Panel title={t("messages.plot")} className="messages-plot">
       <LivePlot signals={signals} label={t("messages.plot")} />

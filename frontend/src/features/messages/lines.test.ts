@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { InspectedFrame, InspectedRow } from "../../protocol/contract";
-import { frameLine, rowLine } from "./lines";
+import { frameLine, ownUnits, rowLine } from "./lines";
 
 const frame: InspectedFrame = {
   id: 1,
@@ -12,6 +12,7 @@ const frame: InspectedFrame = {
   age_s: 0.05,
   stale_after_s: 0.3,
   values: { yaw_deg: -15.374123, pitch_deg: null, roll_deg: 0 },
+  units: { yaw_deg: "deg", pitch_deg: "deg", roll_deg: "deg" },
 };
 const row: InspectedRow = {
   row: 17,
@@ -30,6 +31,22 @@ test("a frame's values keep the figures of the wire, and what is none is no data
     { name: "pitch_deg", value: null, unit: "°", plotKey: "ahrs.pitch_deg" },
     { name: "roll_deg", value: "0", unit: "°", plotKey: "ahrs.roll_deg" },
   ]);
+});
+
+test("a topic that the board describes has its own units, and its numbers can be drawn", () => {
+  const own: InspectedFrame = {
+    ...frame,
+    id: 0x1000,
+    name: "filter",
+    values: { force: 1.5, temperature: null, is_settled: true },
+    units: { force: "N", temperature: "degC", is_settled: "1" },
+  };
+  expect(frameLine(own).values).toEqual([
+    { name: "force", value: "1.500000", unit: "N", plotKey: "own.filter.force" },
+    { name: "temperature", value: null, unit: "°C", plotKey: "own.filter.temperature" },
+    { name: "is_settled", value: true, unit: "", plotKey: null },
+  ]);
+  expect(ownUnits([frame, own]).get("own.filter.temperature")).toBe("°C");
 });
 
 test("a frame is stale once it is older than its stream allows, and not when it is no stream", () => {

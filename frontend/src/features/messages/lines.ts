@@ -2,7 +2,8 @@ import { formatMeasured, WIRE_FIGURES } from "../../lib/format";
 import type { InspectedFrame, InspectedRow } from "../../protocol/contract";
 import type { XplaneProfile } from "../../protocol/messages.gen";
 import type { DataState } from "../../store/telemetry";
-import { fieldKey, fieldUnit, type PlotKeyText, rowKey, rowValue } from "./plotted";
+import { fieldKey, ownKey, type PlotKeyText, rowKey, rowValue } from "./plotted";
+import { unitSymbol } from "./unitSymbols";
 
 /** One of a message's last values. */
 export interface LineValue {
@@ -33,6 +34,8 @@ export interface Line {
 
 /** An older row is not live; the gateway forgets it then too. */
 const ROW_STALE_AFTER_S = 1;
+/** Type words from here on are of topics that the board describes itself. */
+const FIRST_OWN = 0x1000;
 /** X-Plane's mark for "no value". */
 const ABSENT = -999;
 
@@ -53,10 +56,28 @@ export function frameLine(frame: InspectedFrame): Line {
     values: Object.entries(frame.values ?? {}).map(([name, value]) => ({
       name,
       value: typeof value === "number" ? written(value) : value,
-      unit: fieldUnit(frame.name, name),
-      plotKey: fieldKey(frame.name, name),
+      unit: unitSymbol(frame.units[name] ?? ""),
+      plotKey: plotKey(frame, name, value),
     })),
   };
+}
+
+function plotKey({ id, name: topic }: InspectedFrame, name: string, value: unknown): PlotKeyText | null {
+  if (id < FIRST_OWN) {
+    return fieldKey(topic, name);
+  }
+  return typeof value === "boolean" ? null : ownKey(topic, name);
+}
+
+/** The unit symbols of what the board's own topics hold, by the keys of their signals. */
+export function ownUnits(frames: readonly InspectedFrame[]): ReadonlyMap<PlotKeyText, string> {
+  return new Map(
+    frames
+      .filter(({ id }) => id >= FIRST_OWN)
+      .flatMap(({ name: topic, units }) =>
+        Object.entries(units).map(([name, unit]) => [ownKey(topic, name), unitSymbol(unit)] as const),
+      ),
+  );
 }
 
 export function rowLine(row: InspectedRow, profile: XplaneProfile): Line {

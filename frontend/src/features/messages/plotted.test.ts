@@ -1,10 +1,22 @@
 import { expect, test } from "vitest";
-import { fieldKey, fieldUnit, MOST_PLOTTED, parsePlotted, rowValue, signalOf, toggled } from "./plotted";
+import { fieldKey, MOST_PLOTTED, ownKey, parsePlotted, rowValue, signalOf, toggled } from "./plotted";
 
 test("a number of a message stands under its topic and name, with its unit as people write it", () => {
   expect(fieldKey("ahrs", "roll_deg")).toBe("ahrs.roll_deg");
   expect(signalOf("ahrs.roll_deg", "xp10")).toMatchObject({ topic: "ahrs", field: "roll_deg", unit: "°" });
-  expect(fieldUnit("fly_by_wire", "aileron")).toBe("");
+  expect(signalOf("fly_by_wire.aileron", "xp10")).toMatchObject({ unit: "" });
+});
+
+test("a number of a topic that the board describes is drawn with the unit that the board says, once it is known", () => {
+  const key = ownKey("filter", "bias_x_rad_s");
+  const units = new Map([[key, "rad/s"]]);
+  expect(signalOf(key, "xp10", units)).toMatchObject({
+    topic: "filter",
+    field: "bias_x_rad_s",
+    unit: "rad/s",
+  });
+  expect(signalOf(key, "xp10")).toMatchObject({ label: "filter.bias_x_rad_s", unit: "" });
+  expect(parsePlotted(`${key} own.filter own.Filter.x`, "xp10")).toEqual([key]);
 });
 
 test("what is no number, or on no stream of the page, cannot be drawn", () => {

@@ -10,6 +10,9 @@ export const MOST_PLOTTED = PLOT_COLOURS;
 /** The stored key of a signal: "ahrs.roll_deg", "row.17.0". */
 export type PlotKeyText = string;
 
+const NONE: ReadonlyMap<PlotKeyText, string> = new Map();
+const OWN = /^own\.([a-z][a-z0-9_]*)\.([a-z][a-z0-9_]*)$/;
+
 export function rowKey(row: number, index: number): PlotKeyText {
   return `row.${row}.${index}`;
 }
@@ -21,10 +24,9 @@ export function fieldKey(topic: string, field: string): PlotKeyText | null {
   return isNumber ? `${topic}.${field}` : null;
 }
 
-/** The unit symbol of a board message's field; empty if it has none or it is unknown. */
-export function fieldUnit(topic: string, field: string): string {
-  const fields: Readonly<Record<string, Readonly<Record<string, { readonly unit: string }>>>> = FIELDS;
-  return unitSymbol(fields[topic]?.[field]?.unit ?? "");
+/** The key of a number of a topic that the board describes itself: its unit is known by the board alone. */
+export function ownKey(topic: string, field: string): PlotKeyText {
+  return `own.${topic}.${field}`;
 }
 
 /** The meaning of one of a row's eight values, by the simulator's profile; null if the definition has none. */
@@ -39,8 +41,31 @@ export function rowValue(
   return value === undefined ? null : { name: value.name, unit: unitSymbol(value.unit) };
 }
 
-/** The signal of a key, or null if there is no such signal (any more). */
-export function signalOf(key: PlotKeyText, profile: XplaneProfile): Signal | null {
+/** The unit symbol of a board message's field; empty if it has none or it is unknown. */
+function fieldUnit(topic: string, field: string): string {
+  const fields: Readonly<Record<string, Readonly<Record<string, { readonly unit: string }>>>> = FIELDS;
+  return unitSymbol(fields[topic]?.[field]?.unit ?? "");
+}
+
+/**
+ * The signal of a key, or null if there is no such signal (any more). `ownUnits`: the unit symbols of the topics that
+ * the board describes itself, by key.
+ */
+export function signalOf(
+  key: PlotKeyText,
+  profile: XplaneProfile,
+  ownUnits: ReadonlyMap<PlotKeyText, string> = NONE,
+): Signal | null {
+  const own = OWN.exec(key);
+  if (own !== null) {
+    const [, topic = "", field = ""] = own;
+    return {
+      topic,
+      field,
+      label: `${topic}.${field}`,
+      unit: ownUnits.get(key) ?? "",
+    } as unknown as TopicSignal;
+  }
   const row = /^row\.(\d{1,4})\.([0-7])$/.exec(key);
   if (row !== null) {
     const [number, index] = [Number(row[1]), Number(row[2])];

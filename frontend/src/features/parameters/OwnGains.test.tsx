@@ -68,9 +68,10 @@ function described(
   return {
     table: {
       state: "known",
-      rows_read: 3,
-      row_count: 3,
+      blocks_read: 3,
+      block_count: 3,
       gains: [LAW, BANK, OF_ANOTHER],
+      topics: [],
       left_out: [],
       ...table,
     },
@@ -210,8 +211,10 @@ describe("the gains that a board describes itself", () => {
 
 describe("the board's table", () => {
   test("says how far it is read", async () => {
-    await open(described({}, { state: "reading", rows_read: 8, row_count: 19, gains: [] }));
-    expect(screen.getByText("Se están leyendo las ganancias propias de la placa: 8 de 19.")).toBeDefined();
+    await open(described({}, { state: "reading", blocks_read: 8, block_count: 19, gains: [] }));
+    expect(
+      screen.getByText("Se está leyendo la tabla de ganancias propias de la placa: 8 de 19 bloques."),
+    ).toBeDefined();
   });
 
   test("says which rows cannot be used and why, and the rest works", async () => {

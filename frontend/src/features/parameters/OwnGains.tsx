@@ -30,11 +30,11 @@ export function OwnGains({ gains }: { gains: readonly OwnGainDefinition[] }) {
 /** How far the board's table is known, and which of its rows cannot be used. */
 export function OwnTableState() {
   const { t } = useTranslation();
-  const { state, rows_read, row_count, left_out } = useParameters(({ own }) => own.table);
+  const { state, blocks_read, block_count, left_out } = useParameters(({ own }) => own.table);
   return (
     <>
       {state === "reading" && (
-        <Notice level="info">{t("ownGains.reading", { read: rows_read, count: row_count })}</Notice>
+        <Notice level="info">{t("ownGains.reading", { read: blocks_read, count: block_count })}</Notice>
       )}
       {state === "unknown" && <Notice level="info">{t("ownGains.unknown")}</Notice>}
       {left_out.length > 0 && (

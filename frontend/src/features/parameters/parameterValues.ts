@@ -68,7 +68,7 @@ const UNKNOWN: GainState = { value: null, loaded: null, state: "unknown" };
 const NOTHING: ParameterValues = {
   held: fill(() => UNKNOWN),
   own: {
-    table: { state: "none", rows_read: 0, row_count: 0, gains: [], left_out: [] },
+    table: { state: "none", blocks_read: 0, block_count: 0, gains: [], topics: [], left_out: [] },
     values: {},
   },
   journal: null,

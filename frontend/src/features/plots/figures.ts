@@ -1,5 +1,4 @@
 import { formatMeasured } from "../../lib/format";
-import { isTopic } from "../../protocol/topics";
 import type { TelemetryStore } from "../../store/telemetry";
 import { type PlotSeries, valueAt } from "./drawn";
 import { parseSignal } from "./signalNames";
@@ -8,7 +7,7 @@ import { parseSignal } from "./signalNames";
 export function isFresh(telemetry: TelemetryStore, name: string, now_ms: number): boolean {
   return (parseSignal(name)?.operands ?? []).every((operand) => {
     const topic = operand.slice(0, operand.indexOf("."));
-    return isTopic(topic) && telemetry.state(topic, now_ms) === "live";
+    return telemetry.state(topic, now_ms) === "live";
   });
 }
 

@@ -1,4 +1,3 @@
-import { isTopic } from "../../protocol/topics";
 import type { TelemetryStore } from "../../store/telemetry";
 import { lastBefore, type PlotSeries, reachOf } from "./drawn";
 import { parseSignal } from "./signalNames";
@@ -38,8 +37,8 @@ export class LiveTail {
   take(telemetry: TelemetryStore): void {
     for (const [name, { t_s, values }] of this.#samples) {
       const [topic = "", field = ""] = name.split(".");
-      const at_s = isTopic(topic) ? telemetry.newestAt_s(topic) : null;
-      if (!isTopic(topic) || at_s === null || at_s <= (t_s.at(-1) ?? Number.NEGATIVE_INFINITY)) {
+      const at_s = telemetry.newestAt_s(topic);
+      if (at_s === null || at_s <= (t_s.at(-1) ?? Number.NEGATIVE_INFINITY)) {
         continue;
       }
       const value = telemetry.newestValueOf(topic, field);

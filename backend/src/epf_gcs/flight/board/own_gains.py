@@ -1,19 +1,19 @@
-"""The gains that the board describes itself: their table and values, read and written with read-back."""
+"""What the board describes itself: its table, the values of its gains, read and written with read-back; its topics."""
 
 from __future__ import annotations
 
 import asyncio
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
+from epf_gcs.codec.description import Row, rows_of
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Json, Meaning, meaning
 from epf_gcs.contract.answers import CommandOutcome, WriteOutcome
 from epf_gcs.contract.events import OwnGainsEvent
 from epf_gcs.contract.own_gains import (
     MOST_ROWS,
-    LeftOutRow,
     OwnGainDefinition,
     OwnGains,
     OwnGainState,
@@ -26,6 +26,9 @@ from epf_gcs.flight.board.own_table import OwnTableReader
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
 from epf_gcs.vehicle.own_gains import after_read, as_held, unknown_values, usable_rows, value_fault
+from epf_gcs.vehicle.own_topics import known_topics, own_messages, usable_topics
+
+_TRIES: Final = 3
 
 
 class OwnGainValues:
@@ -65,14 +68,15 @@ class OwnGainValues:
             session = self._session
             if self.known.table.state == "unknown":
                 try:
-                    rows = await self._reader.read(self._progress)
+                    table, is_whole = await self._reader.read(self._progress)
                 except BaseException:
                     if session == self._session:
                         self._tell_unread()
                     raise
                 if session != self._session:
                     return
-                self._take_rows(rows)
+                self._take_rows(rows_of(table), is_whole=is_whole)
+            await self._switch_topics_on()
             for gain in self.known.table.gains:
                 await answer_of(self._board, self._commands, "own_gain_get", "own_gain", gain.row)
                 if session != self._session:
@@ -165,15 +169,20 @@ class OwnGainValues:
         found = heard[-1] if heard else None
         return result, None if found is None else as_held(found)
 
-    def _take_rows(self, rows: list[bytes | None]) -> None:
-        gains, left_out = usable_rows(rows)
-        count = self.known.table.row_count or len(rows)
-        if count > len(rows):
-            left_out = (*left_out, LeftOutRow(MOST_ROWS, None, "too_many"))
-        self._tell_table(OwnGainTable("known", len(rows), count, gains, left_out))
+    def _take_rows(self, rows: list[Row], *, is_whole: bool) -> None:
+        gains, faulty_gains = usable_rows(rows, is_whole=is_whole)
+        topics, faulty_topics = usable_topics(rows, is_whole=is_whole)
+        left_out = sorted((*faulty_gains, *faulty_topics), key=lambda one: one.row)
+        self._tell_table(OwnGainTable("known", 0, 0, gains, topics, tuple(left_out[:MOST_ROWS])))
 
-    def _progress(self, asked: int, count: int) -> None:
-        self._tell_table(replace(self.known.table, state="reading", rows_read=asked, row_count=count))
+    async def _switch_topics_on(self) -> None:
+        """The board sends its own topics from now on. A board that does not say so is asked again, as for a row."""
+        for _ in range(_TRIES if self.known.table.topics else 0):
+            if (await self._commands.run("own_topics", (1,), quiet=True)).done:
+                break
+
+    def _progress(self, read: int, count: int) -> None:
+        self._tell_table(replace(self.known.table, state="reading", blocks_read=read, block_count=count))
 
     def _sure_gain(self, name: str) -> OwnGainDefinition:
         """Raises ConflictError while the board may have another table."""
@@ -198,11 +207,12 @@ class OwnGainValues:
             self._tell_values({name: replace(self.known.values[name], **changes)})
 
     def _tell_unread(self) -> None:
-        self._tell_table(replace(self.known.table, state="unknown", rows_read=0, row_count=0))
+        self._tell_table(replace(self.known.table, state="unknown", blocks_read=0, block_count=0))
 
     def _tell_table(self, table: OwnGainTable) -> None:
         """Take the new table and send it to the viewers; no value is known after it."""
         values = unknown_values(table.gains)
+        self._board.learn(own_messages(known_topics(table)))
         if OwnGains(table, values) != self.known:
             self.known = OwnGains(table, values)
             self._outlet.event(OwnGainsEvent(table, values))

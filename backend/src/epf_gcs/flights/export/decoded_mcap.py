@@ -22,12 +22,12 @@ from epf_gcs.flights.export.foxglove_messages import Batches, locations, logs, p
 from epf_gcs.flights.export.foxglove_schemas import LOCATION_FIX_SCHEMA, LOG_SCHEMA, POSE_SCHEMA
 from epf_gcs.flights.export.json_schemas import schema_of
 from epf_gcs.flights.export.stretch import Stretch, times_of
-from epf_gcs.flights.table_names import EVENTS
 from epf_gcs.recordings.export_names import stretch_empty
 from epf_gcs.recordings.mcap_file import Contents, encoded, message_record, metadata_record
 from epf_gcs.recordings.packed_file import PackedFile
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.scan import Places
+from epf_gcs.recordings.table_names import EVENTS
 
 _LIBRARY: Final = "epf-gcs export"
 _LEVEL: Final = 3

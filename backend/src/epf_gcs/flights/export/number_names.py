@@ -11,7 +11,7 @@ import pyarrow.compute as pc
 
 from epf_gcs.codec.messages_gen import COMMANDS_BY_ID, TELEMETRY
 from epf_gcs.codec.tables import Message
-from epf_gcs.flights.table_names import SENT
+from epf_gcs.recordings.table_names import SENT
 
 SUFFIX: Final = "_text"
 MESSAGES: Final[Mapping[str, Message]] = {message.name: message for message in TELEMETRY.values()} | {

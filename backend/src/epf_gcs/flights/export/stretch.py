@@ -14,9 +14,9 @@ from epf_gcs.flights.events import Event, read_events
 from epf_gcs.flights.export.asked import ExportRequest, Progress, unknown_topic
 from epf_gcs.flights.export.number_names import named_rows, named_schema
 from epf_gcs.flights.indexed import not_indexed
-from epf_gcs.flights.table_names import EVENTS, KEYFRAMES
 from epf_gcs.recordings.flight_summary import FlightSummary
 from epf_gcs.recordings.places import SUMMARY, Places
+from epf_gcs.recordings.table_names import EVENTS, KEYFRAMES
 
 ROWS: Final = 8192
 """Rows of a batch."""

@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable
 from typing import Final
 
-from epf_gcs.flights.table_names import is_reserved
 from epf_gcs.recordings.log_table import T_NS
+from epf_gcs.recordings.table_names import is_reserved
 
 _UNSAFE: Final = re.compile(r"[^A-Za-z0-9_]+")
 _LONGEST: Final = 60

@@ -39,7 +39,7 @@ _INTERNAL: Final = frozenset(
         "mission_read",
         "hil_steps_on",
         "describe",
-        "describe_item",
+        "describe_blocks",
         "own_gain_get",
         "own_gain_set",
     }
