@@ -6,6 +6,7 @@ import importlib.util
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -34,20 +35,29 @@ def check(root: Path) -> list[str]:
     return found
 
 
-@pytest.fixture
-def tree(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of what is read, with every other file of the tree there and empty."""
+    copy = tmp_path_factory.mktemp("tree")
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z"], capture_output=True, text=True, check=True).stdout
     for name in filter(None, listed.split("\0")):
-        path = tmp_path / name
+        path = copy / name
         path.parent.mkdir(parents=True, exist_ok=True)
         if name in READ:
             shutil.copy(ROOT / name, path)
         else:
             path.touch()
-    subprocess.run(["git", "-C", tmp_path, "init", "--quiet"], check=True)
-    subprocess.run(["git", "-C", tmp_path, "add", "--all", "--force"], check=True)
-    return tmp_path
+    subprocess.run(["git", "-C", copy, "init", "--quiet"], check=True)
+    subprocess.run(["git", "-C", copy, "add", "--all", "--force"], check=True)
+    return copy
+
+
+@pytest.fixture
+def tree(whole: Path) -> Iterator[Path]:
+    """The copy, which is as before after each test."""
+    yield whole
+    for name in READ:
+        shutil.copy(ROOT / name, whole / name)
 
 
 def change(path: Path, old: str, new: str) -> None:

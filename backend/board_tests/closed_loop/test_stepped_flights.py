@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
-import pytest
-
-from board_tests.closed_loop.stepped_flights import WITHIN, SteppedFlight, errors, f1_of, fly
+from board_tests.closed_loop.stepped_flights import WITHIN, errors, f1_of, fly
 
 # In calm air, in wind and in light turbulence; `python -m bench report` flies fifty.
 SEEDS = range(3)
 STEPS = 3
 
 
-@pytest.fixture(scope="module")
-def flights() -> list[SteppedFlight]:
-    return [fly(seed, STEPS) for seed in SEEDS]
-
-
-def test_every_step_is_found_and_nothing_else(flights: list[SteppedFlight]) -> None:
+def test_every_step_is_found_with_the_rise_time_overshoot_and_settled_error_that_were_flown_and_nothing_else() -> None:
+    flights = [fly(seed, STEPS) for seed in SEEDS]
     assert sum(len(flight.flown) for flight in flights) >= STEPS * len(SEEDS)
     assert f1_of(flights) == 1.0
-
-
-def test_rise_time_overshoot_and_settled_error_are_those_that_were_flown(flights: list[SteppedFlight]) -> None:
     for name, found in errors(flights).items():
         assert len(found) >= 2 * len(SEEDS), name
         assert max(found) <= WITHIN, name
