@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -9,12 +10,16 @@ from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.contract.answers import KnownMission
 from epf_gcs.contract.status import RoundTripMs
+from epf_gcs.flights.answers import known
+from epf_gcs.flights.growing import GrowingFlight
 from epf_gcs.recordings import notes
 from epf_gcs.replay.answers import build_inspector, build_known
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.timeline import Timeline
+from epf_gcs.vehicle.own_gains import usable_rows
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, write
+from tests.support.fake_board import own_row
 
 GAIN = PARAMETERS[0].name
 WAYPOINT = {"latitude_deg": 27.9, "longitude_deg": -15.4, "altitude_ft": 900.0, "speed_kt": 60.0}
@@ -67,3 +72,27 @@ def test_what_no_recording_tells_is_null_and_nothing_is_advised(tmp_path: Path) 
     assert found.advice == []
     assert found.link.round_trips is None
     assert found.link.round_trip_ms == RoundTripMs()
+
+
+def test_the_boards_own_gains_are_known_as_they_were_then_and_the_finished_flight_says_the_same(tmp_path: Path) -> None:
+    gain = asdict(usable_rows([own_row(0)])[0][0])
+    held = {"value": 3.0, "state": "loaded", "loaded": 3.0, "heard_s": 1.0}
+    table = {"state": "known", "gains": [gain]}
+
+    def own(table: Any, **values: Any) -> dict[str, Any]:
+        return {"event": "own_gains", "data": {"table": table, "values": values}}
+
+    told = [
+        (2.0, notes.EVENT, own(table, line_k_bank=held)),
+        (5.0, notes.EVENT, own(None, line_k_bank={**held, "value": 4.0})),
+        (8.0, notes.EVENT, own({**table, "state": "unknown"}, line_k_bank={**held, "value": None, "state": "unknown"})),
+    ]
+    values = []
+    for at_s in (1.0, 4.0, 7.0, 9.0):
+        then = build_known(head_at(tmp_path, at_s, *told), at_s).own
+        assert then is None or [one.name for one in then.table.gains] == ["line_k_bank"]
+        values.append(None if then is None else (then.table.state, then.values["line_k_bank"].value))
+        growing = GrowingFlight(tmp_path / "20260101T120000Z.mcap")
+        growing.advance()
+        assert known(growing, at_s)["own"] == then
+    assert values == [None, ("known", 3.0), ("known", 4.0), ("unknown", None)]

@@ -999,6 +999,86 @@ export const isKnownMissions = shape({
 });
 export type KnownMissions = Checked<typeof isKnownMissions>;
 
+/** One row of a board's table. Limits, step and default are in `unit`; of an enum, places of `choices` from 0. */
+export const isOwnGainDefinition = shape({
+  choices: list(isText),
+  default: isNumber,
+  doc: isText,
+  group: isText,
+  maximum: isNumber,
+  minimum: isNumber,
+  name: isText,
+  needs_restart: isFlag,
+  row: isNumber,
+  step: isNumber,
+  type: oneOf("f32", "i32", "u32", "flag", "enum"),
+  unit: isText,
+});
+export type OwnGainDefinition = Checked<typeof isOwnGainDefinition>;
+
+/** A row that breaks a rule and cannot be used; `name` is null where it has none that can be read. */
+export const isLeftOutRow = shape({
+  name: nullable(isText),
+  reason: oneOf("lost", "too_many", "kind", "length", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices", "topic", "type_word", "period", "scale", "fields", "size"),
+  row: isNumber,
+});
+export type LeftOutRow = Checked<typeof isLeftOutRow>;
+
+/** A quantity of an own topic. The integer of the wire times `scale`, and both limits, are in `unit`; of an enum
+ * they are places of `choices` from 0. `sign` says what positive means. */
+export const isOwnFieldDefinition = shape({
+  choices: list(isText),
+  maximum: isNumber,
+  minimum: isNumber,
+  name: isText,
+  scale: isNumber,
+  sign: isText,
+  type: oneOf("f32", "i32", "u32", "flag", "enum", "f64", "i16", "u16", "i8", "u8"),
+  unit: isText,
+});
+export type OwnFieldDefinition = Checked<typeof isOwnFieldDefinition>;
+
+/** One own topic: what its frames hold, in order, and how often (ms) the board means to send them. */
+export const isOwnTopicDefinition = shape({
+  doc: isText,
+  fields: list(isOwnFieldDefinition),
+  name: isText,
+  period_ms: isNumber,
+  row: isNumber,
+  type_word: isNumber,
+});
+export type OwnTopicDefinition = Checked<typeof isOwnTopicDefinition>;
+
+/** The board's table. Until it is known `gains` and `topics` are those of the board that was heard last, if any.
+ *
+ * `blocks_read` of `block_count` have come while it is being read. */
+export const isOwnGainTable = shape({
+  block_count: isNumber,
+  blocks_read: isNumber,
+  gains: list(isOwnGainDefinition),
+  left_out: list(isLeftOutRow),
+  state: oneOf("none", "unknown", "reading", "known"),
+  topics: list(isOwnTopicDefinition),
+});
+export type OwnGainTable = Checked<typeof isOwnGainTable>;
+
+/** A value as far as it is known: the board's, when it was heard (Unix seconds), and what it was when all were
+ * last loaded. */
+export const isOwnGainState = shape({
+  heard_s: nullable(isNumber),
+  loaded: nullable(isNumber),
+  state: oneOf("unknown", "loaded", "pending", "confirmed", "rejected"),
+  value: nullable(isNumber),
+});
+export type OwnGainState = Checked<typeof isOwnGainState>;
+
+/** The table, and the values by name: one for each of its gains. */
+export const isOwnGains = shape({
+  table: isOwnGainTable,
+  values: dictionary(isOwnGainState),
+});
+export type OwnGains = Checked<typeof isOwnGains>;
+
 /** One gain; `value` is the board's, null until it was read.
  *
  * `loaded` is what it was when the operator last loaded all, or when it was read first. */
@@ -1018,11 +1098,12 @@ export const isParameterState = shape({
 });
 export type ParameterState = Checked<typeof isParameterState>;
 
-/** What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted. */
+/** `parameters` and `own` as GET /parameters gave them then; null: not noted. */
 export const isFlightKnowledge = shape({
   at_s: isNumber,
   identity: isFlightIdentity,
   missions: isKnownMissions,
+  own: nullable(isOwnGains),
   parameters: nullable(list(isParameterState)),
 });
 export type FlightKnowledge = Checked<typeof isFlightKnowledge>;
@@ -1357,14 +1438,6 @@ export const isJournalEvent = shape({
 });
 export type JournalEvent = Checked<typeof isJournalEvent>;
 
-/** A row that breaks a rule and cannot be used; `name` is null where it has none that can be read. */
-export const isLeftOutRow = shape({
-  name: nullable(isText),
-  reason: oneOf("lost", "too_many", "kind", "length", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices", "topic", "type_word", "period", "scale", "fields", "size"),
-  row: isNumber,
-});
-export type LeftOutRow = Checked<typeof isLeftOutRow>;
-
 /** The states of both links; one of them has changed. */
 export const isLinkEvent = shape({
   board: oneOf("closed", "opening", "open", "lost"),
@@ -1594,78 +1667,6 @@ export const isOnlineState = shape({
   sources: list(isOnlineSource),
 });
 export type OnlineState = Checked<typeof isOnlineState>;
-
-/** A quantity of an own topic. The integer of the wire times `scale`, and both limits, are in `unit`; of an enum
- * they are places of `choices` from 0. `sign` says what positive means. */
-export const isOwnFieldDefinition = shape({
-  choices: list(isText),
-  maximum: isNumber,
-  minimum: isNumber,
-  name: isText,
-  scale: isNumber,
-  sign: isText,
-  type: oneOf("f32", "i32", "u32", "flag", "enum", "f64", "i16", "u16", "i8", "u8"),
-  unit: isText,
-});
-export type OwnFieldDefinition = Checked<typeof isOwnFieldDefinition>;
-
-/** One row of a board's table. Limits, step and default are in `unit`; of an enum, places of `choices` from 0. */
-export const isOwnGainDefinition = shape({
-  choices: list(isText),
-  default: isNumber,
-  doc: isText,
-  group: isText,
-  maximum: isNumber,
-  minimum: isNumber,
-  name: isText,
-  needs_restart: isFlag,
-  row: isNumber,
-  step: isNumber,
-  type: oneOf("f32", "i32", "u32", "flag", "enum"),
-  unit: isText,
-});
-export type OwnGainDefinition = Checked<typeof isOwnGainDefinition>;
-
-/** A value as far as it is known: the board's, when it was heard (Unix seconds), and what it was when all were
- * last loaded. */
-export const isOwnGainState = shape({
-  heard_s: nullable(isNumber),
-  loaded: nullable(isNumber),
-  state: oneOf("unknown", "loaded", "pending", "confirmed", "rejected"),
-  value: nullable(isNumber),
-});
-export type OwnGainState = Checked<typeof isOwnGainState>;
-
-/** One own topic: what its frames hold, in order, and how often (ms) the board means to send them. */
-export const isOwnTopicDefinition = shape({
-  doc: isText,
-  fields: list(isOwnFieldDefinition),
-  name: isText,
-  period_ms: isNumber,
-  row: isNumber,
-  type_word: isNumber,
-});
-export type OwnTopicDefinition = Checked<typeof isOwnTopicDefinition>;
-
-/** The board's table. Until it is known `gains` and `topics` are those of the board that was heard last, if any.
- *
- * `blocks_read` of `block_count` have come while it is being read. */
-export const isOwnGainTable = shape({
-  block_count: isNumber,
-  blocks_read: isNumber,
-  gains: list(isOwnGainDefinition),
-  left_out: list(isLeftOutRow),
-  state: oneOf("none", "unknown", "reading", "known"),
-  topics: list(isOwnTopicDefinition),
-});
-export type OwnGainTable = Checked<typeof isOwnGainTable>;
-
-/** The table, and the values by name: one for each of its gains. */
-export const isOwnGains = shape({
-  table: isOwnGainTable,
-  values: dictionary(isOwnGainState),
-});
-export type OwnGains = Checked<typeof isOwnGains>;
 
 /** The board's own gains: a new table, null where it is as before, and the values that changed, by name.
  *

@@ -260,13 +260,3 @@ class KnownMissions(Shape):
 
     flight: KnownMission | None
     hil: KnownMission | None
-
-
-@dataclass(frozen=True, slots=True)
-class FlightKnowledge(Shape):
-    """What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted."""
-
-    at_s: float
-    identity: FlightIdentity
-    parameters: list[ParameterState] | None
-    missions: KnownMissions

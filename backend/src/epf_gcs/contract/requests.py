@@ -16,7 +16,6 @@ from epf_gcs.contract.answers import (
     AlarmLimits,
     CommandOutcome,
     DiskPolicy,
-    FlightKnowledge,
     LinkResult,
     Mark,
     ParameterJournal,
@@ -24,6 +23,7 @@ from epf_gcs.contract.answers import (
     Sample,
 )
 from epf_gcs.contract.base import ControlSource, PlanName, SimulatorProfile, StickSource, SurfacePath
+from epf_gcs.contract.flight_knowledge import FlightKnowledge
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.own_gains import AllGains
 from epf_gcs.contract.playback import Playback

@@ -11,6 +11,7 @@ import numpy as np
 import pyarrow as pa
 
 from epf_gcs.contract.flights import FlightOverview, FlightTopic, FlightTopics, Signal, Signals, TopicField
+from epf_gcs.contract.own_gains import OwnGains
 from epf_gcs.flights.derived import find
 from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.flown_path import moved_rows, track_rows
@@ -19,7 +20,8 @@ from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Content
 from epf_gcs.units import M_PER_FT
-from epf_gcs.vehicle.noted import gains_of, identity_of
+from epf_gcs.vehicle.noted import gains_of, identity_of, own_gains_event
+from epf_gcs.vehicle.own_gains import own_gains_after
 
 _NS: Final = 1e-9
 # Altitudes for the ground of the time bar, the one that fits best first, with the factor to feet.
@@ -155,14 +157,18 @@ def known(flight: FlightData, at_s: float) -> Content:
     """Identity, gains and plans as they were known at a moment: the newest note of each kind before it."""
     until_ns = flight.start_ns + round(at_s * 1e9)
     newest: dict[str, Content] = {}
+    own: OwnGains | None = None
     for note in flight.notes():
         if note.t_ns <= until_ns and isinstance(note.content, dict):
+            event = own_gains_event(note.content) if note.name == notes.EVENT else None
+            own = own if event is None else own_gains_after(own, event)
             newest[note.name if note.name != notes.PLAN else f"{notes.PLAN} {note.content.get('plan')}"] = note.content
     parameters = newest.get(notes.PARAMETERS)
     return {
         "at_s": at_s,
         "identity": identity_of(newest.get(notes.IDENTITY)),
         "parameters": None if parameters is None else gains_of(parameters),
+        "own": own,
         "missions": {plan: newest.get(f"{notes.PLAN} {plan}") for plan in ("flight", "hil")},
     }
 

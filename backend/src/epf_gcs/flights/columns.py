@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
-from epf_gcs.contract.events import OwnGainsEvent, noted_event
 from epf_gcs.contract.own_topics import OWN_TYPE_WORDS, OwnTopicDefinition
 from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
 from epf_gcs.flights.convert import T_NS, log_rows, schema, table
@@ -31,6 +30,7 @@ from epf_gcs.recordings.parts import Messages, Part
 from epf_gcs.recordings.reading import LIMITS, Limits, Reader
 from epf_gcs.recordings.table_names import DAMAGE, KEYFRAMES, LINK, RAW_ROWS, SENT
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, LOG_TABLE, SIMULATOR_RECEIVED
+from epf_gcs.vehicle.noted import own_gains_event
 from epf_gcs.vehicle.own_topics import known_topics, own_messages
 
 Say = Callable[[float, str], None]
@@ -289,11 +289,8 @@ class TableMaker:
 
 def _topics_in(note: Note) -> tuple[OwnTopicDefinition, ...] | None:
     """The board's own topics from this note on, None where it does not say anything of them."""
-    content = note.content
-    if note.name != EVENT or not isinstance(content, dict) or content.get("event") != OwnGainsEvent.NAME:
-        return None
-    event = noted_event(OwnGainsEvent.NAME, content["data"]) if isinstance(content.get("data"), dict) else None
-    return known_topics(event.table) if isinstance(event, OwnGainsEvent) and event.table is not None else None
+    event = own_gains_event(note.content) if note.name == EVENT else None
+    return None if event is None or event.table is None else known_topics(event.table)
 
 
 def _joined(messages: Messages) -> NDArray[np.uint8]:

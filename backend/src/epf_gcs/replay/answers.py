@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any, Final
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.contract.answers import FlightKnowledge, KnownMission, KnownMissions
+from epf_gcs.contract.answers import KnownMission, KnownMissions
 from epf_gcs.contract.base import PlanName
+from epf_gcs.contract.flight_knowledge import FlightKnowledge
 from epf_gcs.contract.inspector import InspectedLink, Inspector
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.status import CHANNEL_BYTES_PER_S
@@ -24,6 +25,7 @@ def build_known(head: Playhead, at_s: float) -> FlightKnowledge:
         at_s,
         identity_of(now.identity),
         None if parameters is None else gains_of(parameters),
+        now.own,
         KnownMissions(*(_plan(plan, plans[plan]) if plan in plans else None for plan in _PLANS)),
     )
 

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field, replace
 from typing import Final, Literal, get_args
 
 from epf_gcs.contract.base import LinkState
-from epf_gcs.contract.events import Event, OwnGainsEvent, noted_event
-from epf_gcs.contract.own_topics import OwnTopicDefinition
+from epf_gcs.contract.events import OwnGainsEvent, noted_event
+from epf_gcs.contract.own_gains import OwnGains
 from epf_gcs.contract.status import AlarmState
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Content, Note
-from epf_gcs.vehicle.own_topics import known_topics
+from epf_gcs.vehicle.own_gains import own_gains_after
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, IntendedSettings
 
 _DONE: Final = frozenset({"confirmed", "sent"})
@@ -44,7 +44,7 @@ class KnownState:
     lines: dict[LineName, LineNote] = field(default_factory=lambda: {"board": LineNote(), "simulator": LineNote()})
     periods_ms: dict[str, int] = field(default_factory=dict)
     events: dict[str, Content] = field(default_factory=dict)
-    own_topics: tuple[OwnTopicDefinition, ...] = ()
+    own: OwnGains | None = None
     lost_bytes: int = 0
     has_lines: bool = False
 
@@ -112,14 +112,11 @@ class RecordedState:
         elif kind == "parameter" and isinstance(data.get("parameters"), dict):
             self.now.parameters = {**(self.now.parameters or {}), **data["parameters"]}
         elif kind == OwnGainsEvent.NAME:
-            self._own_gains(noted_event(kind, data))
+            event = noted_event(kind, data)
+            self.now.own = own_gains_after(self.now.own, event) if isinstance(event, OwnGainsEvent) else self.now.own
         elif kind == "command":
             return self._command(data)
         return None
-
-    def _own_gains(self, event: Event | None) -> None:
-        if isinstance(event, OwnGainsEvent) and event.table is not None:
-            self.now.own_topics = known_topics(event.table)
 
     def _alarm(self, data: Content) -> None:
         alarm = {name: value for name, value in data.items() if name != "active"}

@@ -26,7 +26,7 @@ from epf_gcs.replay.recorded_line import RecordedLine
 from epf_gcs.replay.timeline import Cursor, Item, Timeline
 from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
-from epf_gcs.vehicle.own_topics import own_messages
+from epf_gcs.vehicle.own_topics import known_topics, own_messages
 from epf_gcs.vehicle.rates import ByteRate
 from epf_gcs.vehicle.simulator_samples import Reading
 from epf_gcs.vehicle.vehicle import Vehicle
@@ -171,7 +171,8 @@ class Playhead:
 
     def _learn(self) -> None:
         """The frames of the board's own topics are read as the table says that was known then."""
-        self.vehicle.board.learn(own_messages(self.known.now.own_topics))
+        own = self.known.now.own
+        self.vehicle.board.learn(() if own is None else own_messages(known_topics(own.table)))
 
     def _restore(self, kept: PlayheadState) -> None:
         self.clock.t_ns, self._tick_ns, self._heard_ns = kept.t_ns, kept.tick_ns, kept.heard_ns

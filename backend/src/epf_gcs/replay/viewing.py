@@ -12,7 +12,8 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Broadcast, Handlers, VehicleEnd
-from epf_gcs.contract.answers import FlightKnowledge, Sample
+from epf_gcs.contract.answers import Sample
+from epf_gcs.contract.flight_knowledge import FlightKnowledge
 from epf_gcs.contract.hello import FlightSpan, Hello
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.notices import Notice

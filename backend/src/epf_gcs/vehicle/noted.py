@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.contract.answers import FlightIdentity, GainState, ParameterState
+from epf_gcs.contract.events import OwnGainsEvent, noted_event
 from epf_gcs.recordings.notes import Content
 
 # What is known of a gain (`vehicle/parameters.py`); another word can only come from a stranger's file.
@@ -34,6 +35,14 @@ def gains_of(content: Content) -> list[ParameterState]:
             )
         )
     return found
+
+
+def own_gains_event(content: Any) -> OwnGainsEvent | None:
+    """What an event's note says of the board's own gains; None where it says nothing of them."""
+    if not isinstance(content, dict) or content.get("event") != OwnGainsEvent.NAME:
+        return None
+    event = noted_event(OwnGainsEvent.NAME, content["data"]) if isinstance(content.get("data"), dict) else None
+    return event if isinstance(event, OwnGainsEvent) else None
 
 
 def _number(value: Any) -> float | None:

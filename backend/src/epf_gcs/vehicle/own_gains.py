@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Final
 
 from epf_gcs.codec.description import GainRow, Row, UnreadableRow
 from epf_gcs.codec.values import Json, shortest, single
+from epf_gcs.contract.events import OwnGainsEvent
 from epf_gcs.contract.own_gains import (
     MOST_ROWS,
     LeftOutRow,
     OwnGainDefinition,
+    OwnGains,
     OwnGainState,
     OwnGainType,
     RowFault,
@@ -76,6 +79,14 @@ def after_read(held: OwnGainState, value: Json, now_s: float) -> OwnGainState:
         return OwnGainState(loaded=held.loaded)
     found = shortest(float(value))
     return OwnGainState(found, state_after_read(held, found), found if held.loaded is None else held.loaded, now_s)
+
+
+def own_gains_after(known: OwnGains | None, event: OwnGainsEvent) -> OwnGains:
+    """What is known of the board's own gains after this event: with a table come all of its values."""
+    if event.table is not None:
+        return OwnGains(event.table, event.values)
+    held = OwnGains() if known is None else known
+    return replace(held, values={**held.values, **event.values})
 
 
 def unknown_values(gains: Iterable[OwnGainDefinition]) -> dict[str, OwnGainState]:

@@ -13,7 +13,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from epf_gcs.contract.answers import FlightKnowledge
+from epf_gcs.contract.flight_knowledge import FlightKnowledge
 from epf_gcs.contract.inspector import Inspector
 from epf_gcs.contract.status import Status
 from epf_gcs.replay.outlet import Silence

@@ -227,6 +227,7 @@ test("the turns of the line law are said where it is known to fly, and not of an
     blocks_read: 2,
     block_count: 2,
     gains: [gain, bank],
+    topics: [],
     left_out: [],
   } as const;
   const say = /La ley de línea vira con 40° de alabeo/;

@@ -7,6 +7,7 @@ import {
   field,
   listed,
   newest,
+  openPage,
   openUnanswered,
   row,
   station,
@@ -195,6 +196,33 @@ describe("the gains that a board describes itself", () => {
     expect(screen.getByText(/su tabla no se ha leído/)).toBeDefined();
     await user.type(field("line_k_bank"), "4{Enter}");
     expect(writes()).toEqual([]);
+  });
+
+  test("of a moment of the past are those of then, and cannot be written", async () => {
+    await openPage();
+    station.openFlight("current", 100);
+    const then = {
+      at_s: 100,
+      identity: {
+        station: null,
+        board: null,
+        firmware: null,
+        aircraft: null,
+        operator: null,
+        emulated: false,
+      },
+      parameters: null,
+      own: described({ line_k_bank: held(2.5) }),
+      missions: { flight: null, hil: null },
+    };
+    for (const about of station.replay.questions) {
+      await station.answered(`${about}`, then);
+    }
+    expect(field("line_k_bank").value).toBe("2.5");
+    expect(field("line_k_bank").readOnly).toBe(true);
+    const data = { table: null, values: { line_k_bank: held(3.5) } };
+    station.replayed(({ wire }) => wire.deliver({ type: "event", event: "own_gains", t_s: 101, data }));
+    expect(field("line_k_bank").value).toBe("3.5");
   });
 
   test("are found by the search, by the board's words too", async () => {

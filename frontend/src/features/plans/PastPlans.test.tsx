@@ -34,6 +34,7 @@ describe("a plan of a moment of the past", () => {
       at_s,
       identity: nothing,
       parameters: null,
+      own: null,
       missions: { flight: flight && { plan: "flight", waypoints: flight }, hil: null },
     });
   }

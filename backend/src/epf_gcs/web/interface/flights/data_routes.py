@@ -11,7 +11,7 @@ import orjson
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import Response
 
-from epf_gcs.contract.answers import FlightKnowledge
+from epf_gcs.contract.flight_knowledge import FlightKnowledge
 from epf_gcs.contract.flight_questions import (
     EventsQuestion,
     KnownQuestion,
