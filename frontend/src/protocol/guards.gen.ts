@@ -1019,7 +1019,7 @@ export type OwnGainDefinition = Checked<typeof isOwnGainDefinition>;
 /** A row that breaks a rule and cannot be used; `name` is null where it has none that can be read. */
 export const isLeftOutRow = shape({
   name: nullable(isText),
-  reason: oneOf("lost", "too_many", "kind", "length", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices", "topic", "type_word", "period", "scale", "fields", "size"),
+  reason: oneOf("lost", "too_many", "kind", "length", "type", "name", "name_taken", "group", "text", "range", "step", "default", "choices", "topic", "type_word", "period", "scale", "fields", "checksum", "size"),
   row: isNumber,
 });
 export type LeftOutRow = Checked<typeof isLeftOutRow>;

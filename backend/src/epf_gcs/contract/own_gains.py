@@ -34,6 +34,7 @@ RowFault = Literal[
     "period",
     "scale",  # zero, or of a number that has none
     "fields",  # of a topic: none, or one that cannot be used
+    "checksum",  # of a topic: the table may have come otherwise than the board has it
     "size",  # of a topic: more than a frame holds
 ]
 

@@ -89,3 +89,18 @@ async def test_their_table_is_in_the_recording_before_their_first_frame(tmp_path
         if note.name == EVENT and note.content["event"] == "own_gains" and note.content["data"]["table"]
     ]
     assert [topic["name"] for topic in tables[-1]["topics"]] == ["filter"]
+
+
+async def test_a_table_whose_checksum_does_not_hold_gives_no_topics_for_their_values_might_be_false(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    board.own_checksum = 7
+    station = Flight(tmp_path / "data", record=False)
+    async with station.running():
+        await station.lines.open_board(parse_address(board.url))
+        own = station.parameters.own
+        await eventually_async(lambda: own.known.table.state == "known" and not own._reading.locked(), "it is read")
+        assert own.known.table.topics == ()
+        assert [(one.name, one.reason) for one in own.known.table.left_out] == [("filter", "checksum")]
+        assert [gain.name for gain in own.known.table.gains] == ["line_k_bank"]
+        assert board.count("own_topics") == 0

@@ -7,13 +7,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Final
 
-from epf_gcs.codec.description import Row, rows_of
+from epf_gcs.codec.description import rows_of
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Json, Meaning, meaning
 from epf_gcs.contract.answers import CommandOutcome, WriteOutcome
 from epf_gcs.contract.events import OwnGainsEvent
 from epf_gcs.contract.own_gains import (
     MOST_ROWS,
+    LeftOutRow,
     OwnGainDefinition,
     OwnGains,
     OwnGainState,
@@ -22,7 +23,7 @@ from epf_gcs.contract.own_gains import (
 from epf_gcs.errors import BoardError, ConflictError, InvalidInputError
 from epf_gcs.flight.board.answers import answer_of
 from epf_gcs.flight.board.commands import Commands
-from epf_gcs.flight.board.own_table import OwnTableReader
+from epf_gcs.flight.board.own_table import OwnTableReader, ReadTable
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
 from epf_gcs.vehicle.own_gains import after_read, as_held, unknown_values, usable_rows, value_fault
@@ -68,14 +69,14 @@ class OwnGainValues:
             session = self._session
             if self.known.table.state == "unknown":
                 try:
-                    table, is_whole = await self._reader.read(self._progress)
+                    read = await self._reader.read(self._progress)
                 except BaseException:
                     if session == self._session:
                         self._tell_unread()
                     raise
                 if session != self._session:
                     return
-                self._take_rows(rows_of(table), is_whole=is_whole)
+                self._take_rows(read)
             await self._switch_topics_on()
             for gain in self.known.table.gains:
                 await answer_of(self._board, self._commands, "own_gain_get", "own_gain", gain.row)
@@ -169,9 +170,14 @@ class OwnGainValues:
         found = heard[-1] if heard else None
         return result, None if found is None else as_held(found)
 
-    def _take_rows(self, rows: list[Row], *, is_whole: bool) -> None:
-        gains, faulty_gains = usable_rows(rows, is_whole=is_whole)
-        topics, faulty_topics = usable_topics(rows, is_whole=is_whole)
+    def _take_rows(self, read: ReadTable) -> None:
+        rows = rows_of(read.table)
+        gains, faulty_gains = usable_rows(rows, is_whole=read.is_whole)
+        topics, faulty_topics = usable_topics(rows, is_whole=read.is_whole)
+        if not read.is_sure:
+            # A gain is proved by reading it back; a topic that is laid out otherwise would show false values.
+            faulty_topics = (*faulty_topics, *(LeftOutRow(topic.row, topic.name, "checksum") for topic in topics))
+            topics = ()
         left_out = sorted((*faulty_gains, *faulty_topics), key=lambda one: one.row)
         self._tell_table(OwnGainTable("known", 0, 0, gains, topics, tuple(left_out[:MOST_ROWS])))
 

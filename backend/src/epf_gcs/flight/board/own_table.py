@@ -7,7 +7,7 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 import orjson
 
@@ -29,6 +29,15 @@ _SLOW_LINE_FACTOR: Final = 5
 _MOST_AT_ONCE: Final = int(next(one.maximum or 1 for one in COMMANDS["describe_blocks"].values if one.name == "count"))
 
 
+class ReadTable(NamedTuple):
+    """A table that is not `is_whole` ends before a block that the board did not send; where `is_sure`, its checksum
+    holds."""
+
+    table: bytes
+    is_whole: bool
+    is_sure: bool
+
+
 class OwnTableReader:
     """Keeps the table that was read last in the file `path`; `report` is told where the disk refuses."""
 
@@ -39,8 +48,8 @@ class OwnTableReader:
         self._report = report
         self._kept: bytes | None = None
 
-    async def read(self, on_progress: Callable[[int, int], None]) -> tuple[bytes, bool]:
-        """The table, and whether it is whole: it ends before a block that the board did not send.
+    async def read(self, on_progress: Callable[[int, int], None]) -> ReadTable:
+        """What the board says about itself.
 
         `on_progress` is told how many blocks have come, and how many there are. Raises BoardError where the board does
         not describe itself, ConflictError and LinkError where it cannot be asked.
@@ -56,12 +65,13 @@ class OwnTableReader:
             )
         kept = await self._kept_table()
         if len(kept) == size and zlib.crc32(kept) == checksum:
-            return kept, True
+            return ReadTable(kept, is_whole=True, is_sure=True)
         blocks = await self._blocks(-(-size // BLOCK_SIZE), on_progress)
         table = b"".join(_up_to_the_first_gap(blocks))[:size]
-        if len(table) == size and zlib.crc32(table) == checksum:
+        is_sure = len(table) == size and zlib.crc32(table) == checksum
+        if is_sure:
             await self._keep(table)
-        return table, len(table) == size
+        return ReadTable(table, len(table) == size, is_sure)
 
     async def _blocks(self, count: int, on_progress: Callable[[int, int], None]) -> list[bytes | None]:
         """All blocks, None for those that did not come; lost ones are asked for again, after the others.
