@@ -12,12 +12,15 @@ from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Frame, FrameDecode
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE, ROUTES
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.codec.values import meaning
+from epf_gcs.contract.own_topics import OWN_TYPE_WORDS
 from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.routes import Route
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.reading import Message, RecordingError, walk
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT
+from epf_gcs.vehicle.noted import own_gains_event
+from epf_gcs.vehicle.own_topics import known_topics, own_messages
 
 SURFACES: Final = "hil_surfaces"
 STEP: Final = "hil_step"
@@ -93,7 +96,7 @@ class _Reader:
 
     def take(self, line: RecordedLine, item: Message | Note) -> None:
         if isinstance(item, Note):
-            self.known.note(item)
+            self._note(item)
             return
         if self._start_ns is None:
             self._start_ns = item.t_ns
@@ -110,6 +113,12 @@ class _Reader:
                     line.damaged_at_s = t_s
                     return
 
+    def _note(self, note: Note) -> None:
+        self.known.note(note)
+        event = own_gains_event(note.content) if note.name == notes.EVENT else None
+        if event is not None and event.table is not None:
+            self._received.learn(own_messages(known_topics(event.table)))
+
     def _told(self, t_s: float, data: bytes) -> Iterator[Told]:
         for found in self._sent.feed(data):
             match found:
@@ -124,6 +133,8 @@ class _Reader:
             if newest is not None and newest.step is None:
                 newest.step = frame.values
             return
+        if frame.type_id in OWN_TYPE_WORDS:
+            return  # told by the clock, and no answer
         self.known.answered(frame)
         line.answered.append(Answered(t_s, frame))
         self._has_flown = self._has_flown or frame.message.name == SURFACES
