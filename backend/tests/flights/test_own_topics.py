@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pyarrow.parquet as pq
+import pytest
 
+from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.flights.columns import TableFolder, write_columns
 from epf_gcs.flights.fields import FieldMeaning
 from epf_gcs.flights.growing import GrowingFlight
 from epf_gcs.flights.indexed import Columns, IndexedFlight
 from epf_gcs.recordings.notes import EVENT
 from epf_gcs.recordings.topics import BOARD_RECEIVED
+from epf_gcs.replay.outlet import Silence
+from epf_gcs.replay.playhead import Playhead
+from epf_gcs.replay.timeline import Timeline
+from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.own_topics import usable_topics
 from tests.replay.recordings import SECOND_NS, STARTS_NS, Made, write
 from tests.support.own_rows import F32, field_row, filter_rows, own_frame, table_note, topic_row
@@ -32,6 +39,12 @@ def known(at_s: float, *, is_known: bool = True, topics: tuple = TOPICS) -> tupl
 def recorded(tmp_path: Path, *items: tuple) -> Path:  # type: ignore[type-arg]
     made: Made = list(items)
     return write(tmp_path / "20260101T000000Z.mcap", made)
+
+
+def replayed(path: Path) -> Board:
+    head = Playhead(Timeline(path), Silence())
+    head.advance(STARTS_NS + 10 * SECOND_NS)
+    return head.vehicle.board
 
 
 def columns(path: Path) -> TableFolder:
@@ -96,3 +109,38 @@ def test_a_board_that_comes_back_with_another_topic_of_the_same_name_leaves_both
     assert tables["filter"].column("bias_x_rad_s").to_pylist() == [0.25, 0.5]
     assert tables["filter_2"].column("bias_y_rad_s").to_pylist() == [0.75]
     assert sorted(tables) == ["filter", "filter_2"]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"name": "../../../outside"},
+        {"name": "keyframes"},
+        {"name": "heartbeat"},
+        {"type_word": 1},
+        {"type_word": 2**40},
+        {"type_word": -1},
+        {"fields": ()},
+        {"fields": TOPICS[0].fields * 40},
+        {"fields": (replace(TOPICS[0].fields[0], name="t_ns"),)},
+        {"fields": (TOPICS[0].fields[0], TOPICS[0].fields[0])},
+        {"fields": (replace(TOPICS[0].fields[1], scale=0.0),)},
+        {"fields": (replace(TOPICS[0].fields[3], choices=("",) * 300),)},
+    ],
+)
+def test_a_strangers_table_that_no_board_could_have_gives_no_topics_and_no_file_elsewhere(
+    tmp_path: Path, change: dict[str, Any]
+) -> None:
+    """The board's frames are read as if nothing were known of its table, in the columns and in a replay."""
+    folder = tmp_path / "in" / "here"
+    folder.mkdir(parents=True)
+    stranger = (replace(TOPICS[0], **change),)
+    line = encode_telemetry("ahrs", 1.0, 2.0, 3.0) + own_frame(TOPICS, 0.25, 0, 1, 2)
+    path = recorded(
+        folder, known(0.0, topics=stranger), heard(1.0, line), heard(2.0, encode_telemetry("ahrs", 0, 0, 0))
+    )
+    made = columns(path)
+    assert made.counts.frames == {"ahrs": 2}
+    assert made.counts.damaged == {"unknown_type": 1, "remains": 1}
+    assert replayed(path).damage == made.counts.damaged
+    assert all(file.is_relative_to(folder) for file in tmp_path.rglob("*.parquet"))

@@ -85,6 +85,7 @@ def test_a_topic_that_breaks_a_rule_is_left_out_with_the_reason_and_the_next_wor
     ("field", "reason"),
     [
         (replace(FIELD, name="bias X"), "name"),
+        (replace(FIELD, name="t_ns"), "name_taken"),
         (replace(FIELD, type=0), "type"),
         (replace(FIELD, type=11), "type"),
         (replace(FIELD, minimum=2.0), "range"),

@@ -24,9 +24,9 @@ from epf_gcs.contract.own_gains import (
 from epf_gcs.vehicle import limits
 from epf_gcs.vehicle.parameters import BY_NAME, state_after_read
 
-SNAKE_CASE: Final = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+_SNAKE_CASE: Final = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
 _LONGEST_NAME: Final = 32
-_TYPES: Final[Mapping[int, OwnGainType]] = MappingProxyType({1: "f32", 2: "i32", 3: "u32", 4: "flag", 5: "enum"})
+GAIN_TYPES: Final[Mapping[int, OwnGainType]] = MappingProxyType({1: "f32", 2: "i32", 3: "u32", 4: "flag", 5: "enum"})
 
 
 class _FaultyRowError(ValueError):
@@ -63,6 +63,21 @@ def usable_rows(
     return tuple(gains.values()), tuple(left_out)
 
 
+def is_name(text: str) -> bool:
+    """Whether a gain, a topic or a field may be called this."""
+    return len(text) <= _LONGEST_NAME and _SNAKE_CASE.fullmatch(text) is not None
+
+
+def choices_of(text: str) -> tuple[str, ...]:
+    """The texts of an enum's values, which stand in its row with a bar between them."""
+    return tuple(text.split("|")) if text else ()
+
+
+def are_choices(choices: Sequence[str]) -> bool:
+    """Whether each has a text, and no two the same."""
+    return len(set(choices)) == len(choices) and "" not in choices
+
+
 def value_fault(gain: OwnGainDefinition, value: float) -> str | None:
     """Why this value is not allowed, in one sentence; None if it is allowed."""
     return limits.value_fault(gain.name, value, gain.minimum, gain.maximum, is_integer=gain.is_integer)
@@ -95,24 +110,25 @@ def unknown_values(gains: Iterable[OwnGainDefinition]) -> dict[str, OwnGainState
 
 
 def _gain(row: GainRow, *, taken: Container[str]) -> OwnGainDefinition:
-    if row.type not in _TYPES:
+    if row.type not in GAIN_TYPES:
         raise _FaultyRowError("type")
-    name = _in_snake_case(row.name, "name")
-    if len(name) > _LONGEST_NAME:
+    if not is_name(row.name):
         raise _FaultyRowError("name")
-    if name in taken or name in BY_NAME:
+    if row.name in taken or row.name in BY_NAME:
         raise _FaultyRowError("name_taken")
+    if _SNAKE_CASE.fullmatch(row.group) is None:
+        raise _FaultyRowError("group")
     gain = OwnGainDefinition(
         row=row.row,
-        name=name,
-        group=_in_snake_case(row.group, "group"),
-        type=_TYPES[row.type],
+        name=row.name,
+        group=row.group,
+        type=GAIN_TYPES[row.type],
         unit=row.unit,
         minimum=_number(row.minimum, "range"),
         maximum=_number(row.maximum, "range"),
         step=_number(row.step, "step"),
         default=_number(row.default, "default"),
-        choices=_choices(row.choices),
+        choices=choices_of(row.choices),
         needs_restart=row.needs_restart,
         doc=row.help,
     )
@@ -126,25 +142,14 @@ def _range_fault(gain: OwnGainDefinition) -> RowFault | None:
     if gain.minimum > gain.maximum:
         return "range"
     if gain.type == "enum":
-        are_distinct = len(set(gain.choices)) == len(gain.choices) and "" not in gain.choices
-        if not are_distinct or (gain.minimum, gain.maximum) != (0.0, len(gain.choices) - 1.0):
+        if not are_choices(gain.choices) or (gain.minimum, gain.maximum) != (0.0, len(gain.choices) - 1.0):
             return "choices"
     elif gain.step <= 0.0:
         return "step"
     return None if value_fault(gain, gain.default) is None else "default"
 
 
-def _in_snake_case(text: str, reason: RowFault) -> str:
-    if SNAKE_CASE.fullmatch(text) is None:
-        raise _FaultyRowError(reason)
-    return text
-
-
 def _number(value: float, reason: RowFault) -> float:
     if not math.isfinite(value):
         raise _FaultyRowError(reason)
     return value
-
-
-def _choices(text: str) -> tuple[str, ...]:
-    return tuple(text.split("|")) if text else ()

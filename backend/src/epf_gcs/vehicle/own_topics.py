@@ -2,32 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from math import isfinite, nan
 from struct import Struct
-from typing import Final, NoReturn
+from typing import Final
 
 from epf_gcs.codec.description import FieldRow, Row, TopicRow, UnreadableRow
 from epf_gcs.codec.tables import Encoding, Kind, Message, Value
-from epf_gcs.codec.values import shortest
 from epf_gcs.contract.own_gains import LeftOutRow, OwnGainTable, RowFault
 from epf_gcs.contract.own_topics import OWN_TYPE_WORDS, OwnFieldDefinition, OwnFieldType, OwnTopicDefinition
+from epf_gcs.recordings.log_table import T_NS
 from epf_gcs.recordings.table_names import is_reserved
-from epf_gcs.vehicle.own_gains import SNAKE_CASE
+from epf_gcs.vehicle.own_gains import GAIN_TYPES, are_choices, choices_of, is_name
 
-_TYPES: Final[dict[int, OwnFieldType]] = {
-    1: "f32",
-    2: "i32",
-    3: "u32",
-    4: "flag",
-    5: "enum",
-    6: "f64",
-    7: "i16",
-    8: "u16",
-    9: "i8",
-    10: "u8",
-}
+_TYPES: Final[Mapping[int, OwnFieldType]] = {**GAIN_TYPES, 6: "f64", 7: "i16", 8: "u16", 9: "i8", 10: "u8"}
 _LETTERS: Final[dict[OwnFieldType, str]] = {
     "f32": "f",
     "i32": "i",
@@ -43,14 +32,7 @@ _LETTERS: Final[dict[OwnFieldType, str]] = {
 _WORD: Final = 4
 MOST_BYTES: Final = 128
 """Of a topic's payload: no longer than a block of the table, so that a false header holds nothing back for longer."""
-_LONGEST_NAME: Final = 32
 _MOST_CHOICES: Final = 256
-
-
-class _FaultyRowError(ValueError):
-    def __init__(self, reason: RowFault) -> None:
-        super().__init__(reason)
-        self.reason = reason
 
 
 def usable_topics(
@@ -76,18 +58,29 @@ def usable_topics(
             end += 1
         fields, faults = _fields(rows[at + 1 : end])
         is_known = not faults and not any(map(_may_be_field, rows[at + 1 : end])) and (is_whole or end < len(rows))
-        try:
-            topics.append(_topic(head, fields if is_known else (), topics))
-        except _FaultyRowError as fault:
-            left_out.append(LeftOutRow(head.row, head.name, fault.reason))
+        topic = OwnTopicDefinition(
+            head.row, head.type_word, head.name, head.period_ms, head.help, fields if is_known else ()
+        )
+        fault = _topic_fault(topic, topics)
+        if fault is None:
+            topics.append(topic)
+        else:
+            left_out.append(LeftOutRow(head.row, head.name, fault))
         left_out += faults
         at = end
     return tuple(topics), tuple(left_out)
 
 
 def known_topics(table: OwnGainTable) -> tuple[OwnTopicDefinition, ...]:
-    """The topics that the board has now, for sure: none while its table is not known."""
-    return table.topics if table.state == "known" else ()
+    """The topics that the board has now, for sure: none while its table is not known.
+
+    The table may be of a stranger's recording: what no board could have is not among them.
+    """
+    topics: list[OwnTopicDefinition] = []
+    for topic in table.topics if table.state == "known" else ():
+        if _topic_fault(topic, topics) is None:
+            topics.append(topic)
+    return tuple(topics)
 
 
 @lru_cache(maxsize=8)  # what was made for a table stays what it is: frames are told apart by it
@@ -96,23 +89,19 @@ def own_messages(topics: tuple[OwnTopicDefinition, ...]) -> tuple[Message, ...]:
     return tuple(_message(topic) for topic in topics)
 
 
-def _topic(
-    head: TopicRow,
-    fields: tuple[OwnFieldDefinition, ...],
-    others: Sequence[OwnTopicDefinition],
-) -> OwnTopicDefinition:
-    name = _name(head.name)
-    if is_reserved(name) or any(name == other.name for other in others):
-        _refuse("name_taken")
-    if head.type_word not in OWN_TYPE_WORDS or any(head.type_word == other.type_word for other in others):
-        _refuse("type_word")
-    if head.period_ms <= 0:
-        _refuse("period")
-    if not fields:
-        _refuse("fields")
-    if _size(fields) > MOST_BYTES:
-        _refuse("size")
-    return OwnTopicDefinition(head.row, head.type_word, name, head.period_ms, head.help, fields)
+def _topic_fault(topic: OwnTopicDefinition, others: Sequence[OwnTopicDefinition]) -> RowFault | None:
+    names = [field.name for field in topic.fields]
+    if not is_name(topic.name):
+        return "name"
+    if is_reserved(topic.name) or any(topic.name == other.name for other in others):
+        return "name_taken"
+    if topic.type_word not in OWN_TYPE_WORDS or any(topic.type_word == other.type_word for other in others):
+        return "type_word"
+    if topic.period_ms <= 0:
+        return "period"
+    if not names or len(set(names)) < len(names) or any(map(_field_fault, topic.fields)):
+        return "fields"
+    return "size" if _size(topic.fields) > MOST_BYTES else None
 
 
 def _fields(rows: Sequence[Row]) -> tuple[tuple[OwnFieldDefinition, ...], list[LeftOutRow]]:
@@ -121,38 +110,41 @@ def _fields(rows: Sequence[Row]) -> tuple[tuple[OwnFieldDefinition, ...], list[L
     for row in rows:
         if not isinstance(row, FieldRow):
             continue
-        try:
-            if row.name in fields:
-                _refuse("name_taken")
-            fields[row.name] = _field(row)
-        except _FaultyRowError as fault:
-            faults.append(LeftOutRow(row.row, row.name, fault.reason))
+        kind = _TYPES.get(row.type)
+        if kind is None:
+            faults.append(LeftOutRow(row.row, row.name, "type"))
+            continue
+        field = OwnFieldDefinition(
+            name=row.name,
+            type=kind,
+            unit=row.unit or "1",
+            scale=row.scale,
+            minimum=row.minimum,
+            maximum=row.maximum,
+            choices=choices_of(row.choices),
+            sign=row.sign,
+        )
+        fault = "name_taken" if field.name in fields else _field_fault(field)
+        if fault is None:
+            fields[field.name] = field
+        else:
+            faults.append(LeftOutRow(row.row, row.name, fault))
     return tuple(fields.values()), faults
 
 
-def _field(row: FieldRow) -> OwnFieldDefinition:
-    kind = _TYPES.get(row.type)
-    if kind is None:
-        _refuse("type")
-    choices = tuple(row.choices.split("|")) if row.choices else ()
-    are_distinct = len(set(choices)) == len(choices) <= _MOST_CHOICES and "" not in choices
-    if not are_distinct or bool(choices) != (kind == "enum"):
-        _refuse("choices")
-    is_scalable = kind not in ("f32", "f64", "flag", "enum")
-    if not isfinite(row.scale) or row.scale == 0.0 or (row.scale != 1.0 and not is_scalable):
-        _refuse("scale")
-    if not (isfinite(row.minimum) and isfinite(row.maximum)) or row.minimum > row.maximum:
-        _refuse("range")
-    return OwnFieldDefinition(
-        name=_name(row.name),
-        type=kind,
-        unit=row.unit or "1",
-        scale=shortest(row.scale),
-        minimum=shortest(row.minimum),
-        maximum=shortest(row.maximum),
-        choices=choices,
-        sign=row.sign,
-    )
+def _field_fault(field: OwnFieldDefinition) -> RowFault | None:
+    if not are_choices(field.choices) or len(field.choices) > _MOST_CHOICES:
+        return "choices"
+    if bool(field.choices) != (field.type == "enum"):
+        return "choices"
+    is_scalable = field.type not in ("f32", "f64", "flag", "enum")
+    if not isfinite(field.scale) or field.scale == 0.0 or (field.scale != 1.0 and not is_scalable):
+        return "scale"
+    if not (isfinite(field.minimum) and isfinite(field.maximum)) or field.minimum > field.maximum:
+        return "range"
+    if field.name == T_NS:  # the time of each row in a table of them
+        return "name_taken"
+    return None if is_name(field.name) else "name"
 
 
 def _message(topic: OwnTopicDefinition) -> Message:
@@ -198,13 +190,3 @@ def _value(slot: int, field: OwnFieldDefinition) -> Value:
 
 def _may_be_field(row: Row) -> bool:
     return isinstance(row, UnreadableRow) and row.reason != "kind"
-
-
-def _name(text: str) -> str:
-    if len(text) > _LONGEST_NAME or SNAKE_CASE.fullmatch(text) is None:
-        _refuse("name")
-    return text
-
-
-def _refuse(reason: RowFault) -> NoReturn:
-    raise _FaultyRowError(reason)
