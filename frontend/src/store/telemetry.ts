@@ -169,7 +169,7 @@ export class TelemetryStore {
     return typeof value === "number" ? value : null;
   }
 
-  /** A number or flag of a topic's newest sample; null if there is none. */
+  /** A number or flag of a topic's newest sample; null before the first sample or without a value. */
   newestValueOf(topic: string, field: string): number | boolean | null {
     const value: unknown = this.#newest.get(topic)?.values[field];
     return typeof value === "number" || typeof value === "boolean" ? value : null;

@@ -11,11 +11,13 @@ from struct import Struct
 from types import MappingProxyType
 from typing import Final, Literal, TypeAlias
 
-from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
+from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY_BY_NAME
 from epf_gcs.codec.values import shortest
 
 BLOCK_SIZE: Final = TELEMETRY_BY_NAME["description_block"].size - 4
 """Bytes of the table in one block: the payload without the block's number."""
+BLOCKS_AT_ONCE: Final = int(next(one.maximum or 1 for one in COMMANDS["describe_blocks"].values if one.name == "count"))
+"""The most blocks that one question asks for."""
 
 UnreadableReason = Literal[
     "kind",  # a kind that is not known here
@@ -118,6 +120,17 @@ def packed_rows(rows: Iterable[KnownRow]) -> bytes:
     letters up to U+00FF become one byte each.
     """
     return b"".join(_packed(row) for row in rows)
+
+
+def block_count(size: int) -> int:
+    """The blocks of a table of `size` bytes."""
+    return -(-size // BLOCK_SIZE)
+
+
+def block_questions(size: int) -> list[tuple[int, int]]:
+    """First block and number of blocks of each question that reads a table of `size` bytes."""
+    count = block_count(size)
+    return [(first, min(BLOCKS_AT_ONCE, count - first)) for first in range(0, count, BLOCKS_AT_ONCE)]
 
 
 def blocks_of(table: bytes) -> list[bytes]:

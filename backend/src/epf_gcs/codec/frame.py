@@ -98,8 +98,8 @@ class _Layout(NamedTuple):
     message: Message
 
 
-# Header and type together are the key: one look-up gives message and length, and rejects wrong type bits.
 def _layouts(direction: Direction, messages: Iterable[Message]) -> dict[bytes, _Layout]:
+    """By header and type together: one look-up gives message and length, and rejects wrong type bits."""
     return {
         direction.header + (direction.type_bit | message.id).to_bytes(4, "little"): _Layout(
             _START_SIZE + message.size + _TAIL_SIZE, Struct(f"<{message.size // 4 + 3}I").unpack_from, message

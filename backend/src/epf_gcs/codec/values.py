@@ -9,7 +9,6 @@ from struct import Struct
 from typing import Any, Final, NamedTuple
 
 from epf_gcs.codec.frame import Frame
-from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY
 from epf_gcs.codec.tables import Message, Value
 
 Json = float | int | bool | str | None
@@ -180,13 +179,11 @@ def _digits_of(scale: float) -> int:
 
 
 class _Plans(dict[Message, tuple[Step, ...]]):
-    """Those of a board's own messages are made when the first comes."""
+    """Each is made when the first frame of its message comes."""
 
     def __missing__(self, message: Message) -> tuple[Step, ...]:
         made = self[message] = tuple(_step(value) for value in message.values)
         return made
 
 
-_PLANS: Final = _Plans(
-    {message: tuple(_step(value) for value in message.values) for message in (*TELEMETRY.values(), *COMMANDS.values())}
-)
+_PLANS: Final = _Plans()

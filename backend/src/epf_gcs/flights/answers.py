@@ -160,7 +160,7 @@ def known(flight: FlightData, at_s: float) -> Content:
     own: OwnGains | None = None
     for note in flight.notes():
         if note.t_ns <= until_ns and isinstance(note.content, dict):
-            event = own_gains_event(note.content) if note.name == notes.EVENT else None
+            event = own_gains_event(note)
             own = own if event is None else own_gains_after(own, event)
             newest[note.name if note.name != notes.PLAN else f"{notes.PLAN} {note.content.get('plan')}"] = note.content
     parameters = newest.get(notes.PARAMETERS)

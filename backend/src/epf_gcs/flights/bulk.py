@@ -9,7 +9,7 @@ names their damage.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -68,7 +68,7 @@ class BulkDecoder:
         self._named = 0
         self.learn(())
 
-    def learn(self, own: Iterable[Message]) -> None:
+    def learn(self, own: Sequence[Message]) -> None:
         """From the next stretch on, frames of these messages are known beside the built-in ones, and no others."""
         self._messages = [*self._built_in, *own]
         # By number of the type; one more for all types that are not known.
@@ -80,7 +80,7 @@ class BulkDecoder:
             self._kind[message.id] = index
             self._size[index] = _START_SIZE + message.size + _TAIL_SIZE
         self._longest = int(self._size.max())
-        self._namer.learn(self._messages[len(self._built_in) :])
+        self._namer.learn(own)
 
     def feed(self, data: Bytes, ends: Places, t_ns: Places) -> StretchContents:
         """Take the next bytes of the line: `data` of shape (n,).

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Direction
 from epf_gcs.codec.tables import Message
-from epf_gcs.contract.own_topics import OWN_TYPE_WORDS, OwnTopicDefinition
+from epf_gcs.contract.own_topics import OWN_TYPE_WORDS
 from epf_gcs.flights.bulk import BulkDecoder, DamageReport, StretchContents
 from epf_gcs.flights.convert import T_NS, log_rows, schema, table
 from epf_gcs.flights.datagrams import Datagrams, without_no_value
@@ -25,13 +25,12 @@ from epf_gcs.flights.keyframes import KeyFrames
 from epf_gcs.flights.rates import Rates
 from epf_gcs.flights.tables import Tables
 from epf_gcs.recordings.log_table import unpacked
-from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, Note
+from epf_gcs.recordings.notes import IDENTITY, LINE, Note
 from epf_gcs.recordings.parts import Messages, Part
 from epf_gcs.recordings.reading import LIMITS, Limits, Reader
 from epf_gcs.recordings.table_names import DAMAGE, KEYFRAMES, LINK, RAW_ROWS, SENT
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, LOG_TABLE, SIMULATOR_RECEIVED
-from epf_gcs.vehicle.noted import own_gains_event
-from epf_gcs.vehicle.own_topics import known_topics, own_messages
+from epf_gcs.vehicle.noted import noted_messages
 
 Say = Callable[[float, str], None]
 
@@ -193,14 +192,15 @@ class TableMaker:
             self.counts.last_ns = max(int(t_ns.max()), self.counts.last_ns or 0)
         begin = 0
         for before, note in part.notes:
-            topics = _topics_in(note)
-            if topics is not None:
-                self._stretch(part.messages, begin, before)
-                begin = before
-                self._lines[BOARD_RECEIVED].decoder.learn(own_messages(topics))
-            if note.name == LINE and isinstance(note.content, dict):
-                self._stretch(part.messages, begin, before)
-                begin = before
+            own = noted_messages(note)
+            is_line = note.name == LINE and isinstance(note.content, dict)
+            if own is None and not is_line:
+                continue
+            self._stretch(part.messages, begin, before)
+            begin = before
+            if own is not None:
+                self._lines[BOARD_RECEIVED].decoder.learn(own)
+            if is_line:
                 self._line_changed(note)
         self._stretch(part.messages, begin, len(t_ns))
         made, self._made = self._made, {}
@@ -285,12 +285,6 @@ class TableMaker:
                 schema=_DAMAGE,
             )
         )
-
-
-def _topics_in(note: Note) -> tuple[OwnTopicDefinition, ...] | None:
-    """The board's own topics from this note on, None where it does not say anything of them."""
-    event = own_gains_event(note.content) if note.name == EVENT else None
-    return None if event is None or event.table is None else known_topics(event.table)
 
 
 def _joined(messages: Messages) -> NDArray[np.uint8]:

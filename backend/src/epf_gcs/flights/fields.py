@@ -41,7 +41,7 @@ def fields_of(topic: str) -> dict[str, FieldMeaning]:
 
 
 def fields_of_table(table: pa.Schema) -> dict[str, FieldMeaning]:
-    """The fields of a topic that is not built in, as its table has them; empty for a table that is none."""
+    """The fields of an own or a log's topic by name, read from its table's schema; empty for any other table."""
     if OWN not in (table.metadata or {}):
         return {}
     return {
@@ -54,7 +54,7 @@ def fields_of_table(table: pa.Schema) -> dict[str, FieldMeaning]:
 
 
 def fields_of_file(table: Path) -> dict[str, FieldMeaning]:
-    """The same of a Parquet file; empty where there is none. Raises OSError."""
+    """The same from a Parquet file; empty where the file does not exist. Raises OSError."""
     return fields_of_table(pq.read_schema(table)) if table.exists() else {}
 
 

@@ -96,7 +96,7 @@ class _TableParts:
         return list(self._tables)
 
     def fields(self, topic: str) -> Mapping[str, FieldMeaning]:
-        """Of a topic that is not built in, as its tables have them."""
+        """The fields of a topic by name; of an own topic, read from its first table."""
         tables = self._tables.get(topic)
         return fields_of(topic) or ({} if tables is None else fields_of_table(tables[0].schema))
 

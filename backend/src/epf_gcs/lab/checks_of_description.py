@@ -7,7 +7,7 @@ import zlib
 from collections.abc import Iterable
 from typing import Final
 
-from epf_gcs.codec.description import BLOCK_SIZE, GainRow, Row, rows_of
+from epf_gcs.codec.description import BLOCK_SIZE, GainRow, Row, block_count, block_questions, rows_of
 from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD
 from epf_gcs.codec.messages_gen import COMMANDS
@@ -18,7 +18,6 @@ from epf_gcs.vehicle.own_gains import usable_rows
 from epf_gcs.vehicle.own_topics import own_messages, usable_topics
 
 _DONE, _BAD_VALUE = 0, 1
-_AT_ONCE: Final = 8
 _ENUM: Final = 5
 _SETTING: Final = COMMANDS["own_gain_set"]
 
@@ -45,8 +44,7 @@ def _blocks(peer: Peer, first: int, count: int) -> bytes:
 def _table(peer: Peer) -> tuple[bytes, bytes, int]:
     """The table, what fills its last block, and its checksum as the board tells it."""
     size, crc32 = _summary(peer)
-    count = -(-size // BLOCK_SIZE)
-    blocks = b"".join(_blocks(peer, first, min(_AT_ONCE, count - first)) for first in range(0, count, _AT_ONCE))
+    blocks = b"".join(_blocks(peer, first, count) for first, count in block_questions(size))
     return blocks[:size], blocks[size:], crc32
 
 
@@ -59,7 +57,7 @@ def _describes(peer: Peer) -> None:
     must_be(zlib.crc32(table), wanted, "the CRC-32 in the description: that of the table as it was told")
     must_be(any(filling), False, "whether anything but zeros is behind the table's end")
     _must_be_usable(usable_rows(rows_of(table))[1])
-    behind = -(-len(table) // BLOCK_SIZE)
+    behind = block_count(len(table))
     must_be(peer.result("describe_blocks", behind, 1), _BAD_VALUE, "the result of describing a block that is not there")
 
 

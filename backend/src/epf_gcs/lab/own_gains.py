@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from epf_gcs.codec.description import BLOCK_SIZE, GainRow, rows_of
+from epf_gcs.codec.description import BLOCK_SIZE, GainRow, block_count, block_questions, rows_of
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.codec.frame import Frame, FrameDecoder
 from epf_gcs.codec.values import single
@@ -13,7 +13,6 @@ from epf_gcs.lab.errors import LabError
 from epf_gcs.lab.laws import LAWS
 
 _LAW: Final = "guidance_law"
-_AT_ONCE: Final = 8
 
 
 class OwnGains:
@@ -44,12 +43,11 @@ class OwnGains:
     def _described(self) -> dict[str, int]:
         """Row by name; empty where the board does not describe itself."""
         size = int(next(iter(self._ask("describe", "description")), 0))
-        count = -(-size // BLOCK_SIZE)
         blocks: dict[int, bytes] = {}
-        for first in range(0, count, _AT_ONCE):
-            for frame in self._answers("describe_blocks", "description_block", first, min(_AT_ONCE, count - first)):
+        for question in block_questions(size):
+            for frame in self._answers("describe_blocks", "description_block", *question):
                 blocks[frame.values[0]] = frame.payload[-BLOCK_SIZE:]
-        table = b"".join(blocks.get(number, b"") for number in range(count))[:size]
+        table = b"".join(blocks.get(number, b"") for number in range(block_count(size)))[:size]
         return {row.name: row.row for row in rows_of(table) if isinstance(row, GainRow)}
 
     def _ask(self, command: str, answer: str, *values: float) -> tuple[float, ...]:

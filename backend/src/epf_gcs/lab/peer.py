@@ -9,15 +9,8 @@ from pathlib import Path
 from typing import Final, Protocol
 
 from epf_gcs.codec.encode import encode_command
-from epf_gcs.codec.frame import Direction, Frame, FrameDecoder
-from epf_gcs.codec.messages_gen import (
-    COMMANDS,
-    OPEN_BINARY_MODE,
-    TELEMETRY,
-    TELEMETRY_BY_NAME,
-    TO_PC_HEADER,
-    TO_PC_TYPE_BIT,
-)
+from epf_gcs.codec.frame import Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import COMMANDS, OPEN_BINARY_MODE, TELEMETRY_BY_NAME
 from epf_gcs.codec.tables import Message
 from epf_gcs.errors import GatewayError
 from epf_gcs.lab.errors import LabError
@@ -185,8 +178,7 @@ class Peer:
 
     def know(self, messages: Iterable[Message]) -> None:
         """Take in these messages of the board's own too, from now on."""
-        known = {**TELEMETRY, **{message.id: message for message in messages}}
-        self._decoder = FrameDecoder(Direction(TO_PC_HEADER, TO_PC_TYPE_BIT, known))
+        self._decoder.learn(messages)
 
     def send(self, data: bytes) -> None:
         """Any bytes."""

@@ -19,8 +19,7 @@ from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.reading import Message, RecordingError, walk
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT
-from epf_gcs.vehicle.noted import own_gains_event
-from epf_gcs.vehicle.own_topics import known_topics, own_messages
+from epf_gcs.vehicle.noted import noted_messages
 
 SURFACES: Final = "hil_surfaces"
 STEP: Final = "hil_step"
@@ -115,9 +114,9 @@ class _Reader:
 
     def _note(self, note: Note) -> None:
         self.known.note(note)
-        event = own_gains_event(note.content) if note.name == notes.EVENT else None
-        if event is not None and event.table is not None:
-            self._received.learn(own_messages(known_topics(event.table)))
+        own = noted_messages(note)
+        if own is not None:
+            self._received.learn(own)
 
     def _told(self, t_s: float, data: bytes) -> Iterator[Told]:
         for found in self._sent.feed(data):

@@ -241,8 +241,10 @@ class Playhead:
 
     def _take_note(self, note: Note) -> None:
         board, simulator = self.known.now.lines["board"], self.known.now.lines["simulator"]
+        own = self.known.now.own
         rate_command = self.known.take(note)
-        self._learn()
+        if self.known.now.own is not own:
+            self._learn()
         if rate_command is not None:
             self.vehicle.telemetry.rate_changed(rate_command)
             self.vehicle.board.frame_statistics.rate_changed(rate_command)

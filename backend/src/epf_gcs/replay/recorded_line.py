@@ -1,4 +1,4 @@
-"""The line of a vehicle that is fed from a recording."""
+"""Stands in for the board's line in a replay."""
 
 from __future__ import annotations
 

@@ -184,9 +184,10 @@ class Board:
 
     def write(self, data: bytes) -> bool:
         """Send bytes as they are. False if there is no link or its queue is full."""
-        is_taken = self._link is not None and self._link.write(data)
-        self.bytes_out += len(data) if is_taken else 0
-        return is_taken
+        if self._link is None or not self._link.write(data):
+            return False
+        self.bytes_out += len(data)
+        return True
 
     def listen(self, message: str, listener: Listener) -> None:
         """Call `listener` for every good frame of this message from now on."""

@@ -10,9 +10,11 @@ from dataclasses import asdict, replace
 from typing import Any, Final
 
 from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.codec.tables import Message
 from epf_gcs.contract.answers import FlightIdentity, GainState, ParameterState
 from epf_gcs.contract.events import OwnGainsEvent, noted_event
-from epf_gcs.recordings.notes import Content
+from epf_gcs.recordings.notes import EVENT, Content, Note
+from epf_gcs.vehicle.own_topics import known_topics, own_messages
 
 # What is known of a gain (`vehicle/parameters.py`); another word can only come from a stranger's file.
 _STATES: Final = ("unknown", "loaded", "pending", "confirmed", "rejected")
@@ -37,9 +39,16 @@ def gains_of(content: Content) -> list[ParameterState]:
     return found
 
 
-def own_gains_event(content: Any) -> OwnGainsEvent | None:
-    """What an event's note says of the board's own gains; None where it says nothing of them."""
-    if not isinstance(content, dict) or content.get("event") != OwnGainsEvent.NAME:
+def noted_messages(note: Note) -> tuple[Message, ...] | None:
+    """How the frames of the board's own topics are read from this note on; None where it says nothing of them."""
+    event = own_gains_event(note)
+    return None if event is None or event.table is None else own_messages(known_topics(event.table))
+
+
+def own_gains_event(note: Note) -> OwnGainsEvent | None:
+    """What a note says of the board's own gains; None where it says nothing of them."""
+    content = note.content
+    if note.name != EVENT or not isinstance(content, dict) or content.get("event") != OwnGainsEvent.NAME:
         return None
     event = noted_event(OwnGainsEvent.NAME, content["data"]) if isinstance(content.get("data"), dict) else None
     return event if isinstance(event, OwnGainsEvent) else None

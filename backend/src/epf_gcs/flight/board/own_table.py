@@ -11,9 +11,8 @@ from typing import Final, NamedTuple
 
 import orjson
 
-from epf_gcs.codec.description import BLOCK_SIZE
+from epf_gcs.codec.description import BLOCK_SIZE, BLOCKS_AT_ONCE, block_count
 from epf_gcs.codec.frame import Frame
-from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.values import Meaning, meaning
 from epf_gcs.disk import KeptFile
 from epf_gcs.errors import BoardError, GatewayError
@@ -26,7 +25,6 @@ _TRIES: Final = 4
 _SILENCE_S: Final = 0.6
 _SLOW_LINE_BAUD: Final = 57600
 _SLOW_LINE_FACTOR: Final = 5
-_MOST_AT_ONCE: Final = int(next(one.maximum or 1 for one in COMMANDS["describe_blocks"].values if one.name == "count"))
 
 
 class ReadTable(NamedTuple):
@@ -66,7 +64,7 @@ class OwnTableReader:
         kept = await self._kept_table()
         if len(kept) == size and zlib.crc32(kept) == checksum:
             return ReadTable(kept, is_whole=True, is_sure=True)
-        blocks = await self._blocks(-(-size // BLOCK_SIZE), on_progress)
+        blocks = await self._blocks(block_count(size), on_progress)
         table = b"".join(_up_to_the_first_gap(blocks))[:size]
         is_sure = len(table) == size and zlib.crc32(table) == checksum
         if is_sure:
@@ -168,7 +166,7 @@ def _runs(numbers: list[int]) -> Iterator[tuple[int, int]]:
     """First and length of the runs of neighbours among these ascending numbers, each no longer than one question."""
     start = 0
     for at in range(1, len(numbers) + 1):
-        is_end = at == len(numbers) or numbers[at] != numbers[at - 1] + 1 or at - start == _MOST_AT_ONCE
+        is_end = at == len(numbers) or numbers[at] != numbers[at - 1] + 1 or at - start == BLOCKS_AT_ONCE
         if is_end:
             yield numbers[start], at - start
             start = at
