@@ -10,7 +10,7 @@ from typing import Final
 
 from epf_gcs.codec.description import FieldRow, Row, TopicRow, UnreadableRow
 from epf_gcs.codec.tables import Encoding, Kind, Message, Value
-from epf_gcs.contract.own_gains import LeftOutRow, OwnGainTable, RowFault
+from epf_gcs.contract.own_gains import MOST_ROWS, LeftOutRow, OwnGainTable, RowFault
 from epf_gcs.contract.own_topics import OWN_TYPE_WORDS, OwnFieldDefinition, OwnFieldType, OwnTopicDefinition
 from epf_gcs.recordings.log_table import T_NS
 from epf_gcs.recordings.table_names import is_reserved
@@ -77,7 +77,7 @@ def known_topics(table: OwnGainTable) -> tuple[OwnTopicDefinition, ...]:
     The table may be of a stranger's recording: what no board could have is not among them.
     """
     topics: list[OwnTopicDefinition] = []
-    for topic in table.topics if table.state == "known" else ():
+    for topic in table.topics[:MOST_ROWS] if table.state == "known" else ():
         if _topic_fault(topic, topics) is None:
             topics.append(topic)
     return tuple(topics)
